@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MinMaxPyramid_h
+#define MinMaxPyramid_h
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace relief
+{
+
+template <class T>
+struct HeightView;
+
+/// Least and greatest height over square blocks of cells, in levels: the structure by which rays
+/// skip what they cannot meet (maximum mipmaps: Tevs, Ihrke and Seidel 2008, "Maximum mipmaps for
+/// fast, accurate, and scalable dynamic height field rendering").
+///
+/// Blocks are anchored to the field's first sample, and cover BlockSize << level cells along a
+/// side. A block in which every cell is a hole has lo > hi; one in which some are is (-infinity,
+/// infinity), so that no ray skips a hole, in which it needs the height at which it entered.
+class MinMaxPyramid
+{
+public:
+  struct Bounds
+  {
+    float lo = std::numeric_limits<float>::infinity();
+    float hi = -std::numeric_limits<float>::infinity();
+  };
+
+  static constexpr int BlockSize = 4;
+
+  /// Makes room for a field of this many samples; its bounds are unset.
+  void Allocate(int columns, int rows);
+
+  /// Fills rows [begin, end) of level 0 from the heights. Distinct rows may be filled at once.
+  void BuildBase(const HeightView<float>& heights, int begin, int end);
+
+  /// Fills the other levels from level 0.
+  void BuildUpper();
+
+  int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
+  int GetNumberOfBaseRows() const { return this->Levels.empty() ? 0 : this->Levels[0].rows; }
+  std::size_t GetMemorySize() const;
+
+  const Bounds& At(int level, int i, int j) const
+  {
+    const Level& l = this->Levels[level];
+    return l.blocks[static_cast<std::size_t>(j) * l.columns + i];
+  }
+
+private:
+  struct Level
+  {
+    int columns = 0;
+    int rows = 0;
+    std::vector<Bounds> blocks;
+  };
+  std::vector<Level> Levels;
+};
+
+}
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RayThickness_h
+#define RayThickness_h
+
+#include "HeightView.h"
+#include "ReliefModel.h"
+
+#include <cstdint>
+
+namespace relief
+{
+
+/// A light in the field's frame: x and y from the field's first sample, z from the field's height
+/// 0.
+struct Light
+{
+  glm::dvec3 vector =
+    glm::dvec3(0.0, 0.0, 1.0); ///< position, or unit vector toward a directional light
+  bool positional = false;
+  glm::dvec3 color = glm::dvec3(1.0);
+  double intensity = 1.0;
+  double weight = 1.0;
+};
+
+/// The model's types in one precision.
+template <class Real>
+struct Precision;
+
+template <>
+struct Precision<float>
+{
+  using Medium = f32::ReliefMedium;
+  using Vec3 = glm::vec3;
+};
+
+template <>
+struct Precision<double>
+{
+  using Medium = f64::ReliefMedium;
+  using Vec3 = glm::dvec3;
+};
+
+f32::ReliefMedium ToSingle(const f64::ReliefMedium& medium);
+
+/// Work done, for the statistics.
+struct RayCount
+{
+  std::uint64_t rays = 0;
+  std::uint64_t cells = 0;
+};
+
+/// Part of a row of samples that one light is traced for.
+template <class Real>
+struct RowRequest
+{
+  int j = 0;
+  int begin = 0; ///< first sample
+  int end = 0;   ///< one past the last
+  const typename Precision<Real>::Vec3* normals =
+    nullptr;                             ///< unit normals, unless all offsets are vertical
+  const unsigned char* wanted = nullptr; ///< samples to trace, null for all with data
+  Real* illumination = nullptr;          ///< d; samples that are not traced are left alone
+  Real* thickness = nullptr;             ///< r, or null
+};
+
+/// Illuminates samples ray by ray in closed form, in float or double, with the field's bounds or
+/// without: in double without bounds it is the reference that everything faster is measured
+/// against.
+template <class Real, class T>
+void TraceRow(const Field<T>& field, const typename Precision<Real>::Medium& medium,
+  const Light& light, const RowRequest<Real>& request, RayCount& count);
+
+/// The vector that the model's reliefRay() takes for a sample.
+template <class Real>
+typename Precision<Real>::Vec3 LightFrom(const Light& light, double x, double y)
+{
+  return light.positional
+    ? typename Precision<Real>::Vec3(light.vector.x - x, light.vector.y - y, light.vector.z)
+    : typename Precision<Real>::Vec3(light.vector);
+}
+
+/// Calls body(k, ray, n, l) for every sample of a request that has data and is wanted, k its place
+/// in the request's arrays.
+template <class Real, class T, class Body>
+void ForEachRay(const Field<T>& field, const typename Precision<Real>::Medium& medium,
+  const Light& light, const RowRequest<Real>& request, RayCount& count, Body&& body)
+{
+  using Vec3 = typename Precision<Real>::Vec3;
+  for (int i = request.begin; i < request.end; ++i)
+  {
+    int k = i - request.begin;
+    if (std::isnan(field.heights.At(i, request.j)) || (request.wanted && !request.wanted[k]))
+    {
+      continue;
+    }
+    Vec3 n = request.normals ? request.normals[k] : Vec3(0, 0, 1);
+    Vec3 l;
+    auto ray = reliefRay(field, medium, i, request.j, n,
+      LightFrom<Real>(light, i * field.heights.spacingX, request.j * field.heights.spacingY),
+      light.positional, l);
+    ++count.rays;
+    body(k, ray, n, l);
+  }
+}
+
+}
+
+#endif

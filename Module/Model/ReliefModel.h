@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReliefModel_h
+#define ReliefModel_h
+
+/// @file
+/// ReliefModel.glsl compiled as C++: once with real = float (namespace relief::f32, what the filter
+/// runs and what a GPU computes) and once with real = double (relief::f64, the reference).
+///
+/// The text is GLSL as it stands. Here GLM supplies the vectors, the standard library the
+/// functions, and the macros the few spellings in which the languages differ. Functions that read
+/// the height field become templates; they find reliefHeight() and its like beside the field's own
+/// type.
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#define RELIEF_FN inline
+#define RELIEF_FIELD_FN template <class FieldType>
+#define RELIEF_FIELD const FieldType&
+#define RELIEF_OUT(type) type&
+#define RELIEF_INFINITY std::numeric_limits<real>::infinity()
+#define RELIEF_NAN std::numeric_limits<real>::quiet_NaN()
+
+#define RELIEF_USING                                                                               \
+  using std::abs;                                                                                  \
+  using std::ceil;                                                                                 \
+  using std::clamp;                                                                                \
+  using std::exp;                                                                                  \
+  using std::floor;                                                                                \
+  using std::isnan;                                                                                \
+  using std::max;                                                                                  \
+  using std::min;                                                                                  \
+  using std::pow;                                                                                  \
+  using std::sqrt;
+
+namespace relief
+{
+namespace f32
+{
+RELIEF_USING
+using real = float;
+using real3 = glm::vec3;
+#include "ReliefModel.glsl"
+}
+
+namespace f64
+{
+RELIEF_USING
+using real = double;
+using real3 = glm::dvec3;
+#include "ReliefModel.glsl"
+}
+}
+
+#undef RELIEF_FN
+#undef RELIEF_FIELD_FN
+#undef RELIEF_FIELD
+#undef RELIEF_OUT
+#undef RELIEF_INFINITY
+#undef RELIEF_NAN
+#undef RELIEF_USING
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SceneShading_h
+#define SceneShading_h
+
+#include "HeightField.h"
+#include "RayThickness.h"
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace relief
+{
+
+enum class Integrator
+{
+  Exact,
+  FixedStep
+};
+
+/// Material, lights and accuracy; lengths in the field's unit, heights from its height 0.
+struct Scene
+{
+  glm::dvec3 base = glm::dvec3(0.0);
+  glm::dvec3 diffuse = glm::dvec3(1.0);
+  glm::dvec3 specular = glm::dvec3(1.0);
+  double specularCoefficient = 0.0;
+  double scatterCoefficient = 0.0;
+  f64::ReliefFalloff specularFalloff = { 0.0, 1.0, 1.0 };
+  f64::ReliefFalloff scatterFalloff = { 0.0, 1.0, 1.0 };
+  f64::ReliefMedium medium = { 1.0, f64::RELIEF_VERTICAL, f64::RELIEF_RECIPROCAL, 1.0, false, 0.0,
+    0.0 };
+  std::vector<Light> lights;
+  Integrator integrator = Integrator::Exact;
+  int steps = 256;
+};
+
+enum Effect
+{
+  IlluminationEffect = 1,
+  NormalsEffect = 2,
+  SpecularEffect = 4,
+  ScatterEffect = 8
+};
+
+/// Where results go: arrays over a rectangle of samples, row by row. Any may be null, and null
+/// layers cost nothing.
+struct Target
+{
+  int i0 = 0; ///< the sample that stands first in the arrays
+  int j0 = 0;
+  int width = 0; ///< samples in a row of the arrays
+  float* rgba = nullptr;
+  unsigned char* rgba8 = nullptr;
+  float* illumination = nullptr;
+  float* thickness = nullptr;
+  float* normals = nullptr; ///< 3 components, as those below
+  float* base = nullptr;
+  float* diffuse = nullptr;
+  float* scatter = nullptr;
+  float* specular = nullptr;
+};
+
+/// Shades one scene over one field with the effects that the scene calls for. What can be decided
+/// once is decided in the constructor; Shade() may then run on disjoint parts at once.
+class SceneShading
+{
+public:
+  SceneShading(const HeightField& field, const Scene& scene, const Target& target);
+
+  /// Shades the samples [i0, i1) x [j0, j1) of the field.
+  void Shade(int i0, int i1, int j0, int j1);
+
+  ///@{
+  /// What has been done so far.
+  int GetLightsTraced() const;
+  std::uint64_t GetRaysTraced() const;
+  std::uint64_t GetCellsVisited() const { return this->Cells; }
+  int GetEffects() const { return this->Effects; }
+  ///@}
+
+private:
+  // A light and what the scene wants of it.
+  struct Plan
+  {
+    Light light;        ///< as the integrator takes it
+    glm::vec3 vector;   ///< toward it, for a directional light's highlight and scattering
+    bool directional;   ///< as the scene has it
+    glm::vec3 radiance; ///< weight, intensity and colour
+    float share;        ///< weight and intensity, for the mean illumination
+    bool shows;         ///< it brightens something
+    bool needsD;        ///< its illumination shows
+    bool trace;         ///< and is not known to be 0
+    bool thickness;     ///< its thickness is a layer
+  };
+
+  struct Row;
+
+  void ShadeRow(int j, int i0, int i1, Row& row);
+  void AddLight(const Plan& plan, std::size_t index, int j, int i0, int i1, Row& row);
+  void Write(int j, int i0, int i1, const Row& row);
+
+  Field<float> Heights;
+  Scene Parameters;
+  Target Out;
+  f32::ReliefMedium Medium;
+  f32::ReliefMedium ExactMedium; // with tolerance 0, for the thickness layer
+  f32::ReliefFalloff SpecularFalloff;
+  f32::ReliefFalloff ScatterFalloff;
+  std::vector<Plan> Plans;
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Rays; // per light
+  std::atomic<std::uint64_t> Cells{ 0 };
+  float ShareSum = 0.0f;
+  bool HasScatter = false;
+  bool HasNormals = false;
+  int Effects = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkImageReliefShading
+ * @brief   shades a height field: light, soft shadow, translucency and highlights in one pass
+ *
+ * Input 0 is an image of heights, one component of any numeric type, one slice in x and y. Input 1,
+ * optional, is a mask of the same extent, one component of any numeric type: where it is 0 there is
+ * no data. NaN, infinite and NoDataValue heights are no data either.
+ *
+ * The output has the input's extent and four components, red, green, blue and alpha: alpha is 1
+ * (255) where there is data; elsewhere all four are 0. Float output is linear, 8-bit output is
+ * clamped to [0, 1] and sRGB-encoded. Layers that are switched on come as further point arrays of
+ * the names of their switches; they are NaN where there is no data.
+ *
+ * The light that reaches a sample from any direction depends on the whole field, so the whole input
+ * is asked for whatever part of the output is. Results do not depend on threads or pieces. Threads
+ * are vtkSMPTools's. Cost: O(samples x lights x length of the shadows).
+ *
+ * Bad input (no scalars, several components, several slices, no extent, a mask of another extent, a
+ * light that is not finite) reports one error and gives an empty output.
+ *
+ * Algorithm: F. N. Pramananda Perumal, "An integrated model for direct illumination, subsurface
+ * scattering, specular highlights and shadow computation", MSc thesis, Texas A&M University, 2017,
+ * chapters 3 and 4, with the thickness summed in closed form over the bilinear surface.
+ *
+ * @sa vtkReliefScene vtkReliefMaterial vtkReliefStatistics
+ */
+#ifndef vtkImageReliefShading_h
+#define vtkImageReliefShading_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkReliefShadingModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class vtkReliefScene;
+class vtkReliefStatistics;
+
+class VTKRELIEFSHADING_EXPORT vtkImageReliefShading : public vtkImageAlgorithm
+{
+public:
+  static vtkImageReliefShading* New();
+  vtkTypeMacro(vtkImageReliefShading, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The scene: material, lights, height scale, accuracy. Never null: setting null is refused.
+   * Default: a new vtkReliefScene.
+   */
+  void SetScene(vtkReliefScene* scene);
+  vtkReliefScene* GetScene();
+  ///@}
+
+  ///@{
+  /**
+   * The mask, input 1: where it is 0 there is no data. Null for none.
+   */
+  void SetMaskConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(1, port); }
+  void SetMaskData(vtkDataObject* mask) { this->SetInputData(1, mask); }
+  ///@}
+
+  ///@{
+  /**
+   * The height that marks samples without data, in the input's own values, and whether there is
+   * one. Setting the value turns UseNoDataValue on. NaN is no data in any case. Default: off.
+   */
+  void SetNoDataValue(double value);
+  vtkGetMacro(NoDataValue, double);
+  vtkSetMacro(UseNoDataValue, bool);
+  vtkGetMacro(UseNoDataValue, bool);
+  vtkBooleanMacro(UseNoDataValue, bool);
+  ///@}
+
+  ///@{
+  /**
+   * VTK_FLOAT for linear RGBA, or VTK_UNSIGNED_CHAR for sRGB-encoded RGBA. Default: VTK_FLOAT.
+   */
+  void SetOutputScalarType(int type);
+  vtkGetMacro(OutputScalarType, int);
+  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
+  void SetOutputScalarTypeToUnsignedChar() { this->SetOutputScalarType(VTK_UNSIGNED_CHAR); }
+  ///@}
+
+  ///@{
+  /**
+   * The layer "Illumination": d, the share of light that gets through to a sample, averaged over
+   * the lights by weight times intensity; 0 without light. Lights that are black do not count.
+   * Default: off.
+   */
+  vtkSetMacro(GenerateIllumination, bool);
+  vtkGetMacro(GenerateIllumination, bool);
+  vtkBooleanMacro(GenerateIllumination, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The layer "Thickness": r, how much of the ray toward the first light that is switched on runs
+   * inside the material, in the unit of the spacing; infinite where the light is below the horizon.
+   * FixedStep's is its count times its step. Default: off.
+   */
+  vtkSetMacro(GenerateThickness, bool);
+  vtkGetMacro(GenerateThickness, bool);
+  vtkBooleanMacro(GenerateThickness, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The layer "Normals": unit surface normals in world coordinates, three components. Default: off.
+   */
+  vtkSetMacro(GenerateNormals, bool);
+  vtkGetMacro(GenerateNormals, bool);
+  vtkBooleanMacro(GenerateNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The layers "Base", "Diffuse", "Scatter" and "Specular": linear RGB contributions that sum to
+   * the colour. Default: off.
+   */
+  vtkSetMacro(GenerateBase, bool);
+  vtkGetMacro(GenerateBase, bool);
+  vtkBooleanMacro(GenerateBase, bool);
+  vtkSetMacro(GenerateDiffuse, bool);
+  vtkGetMacro(GenerateDiffuse, bool);
+  vtkBooleanMacro(GenerateDiffuse, bool);
+  vtkSetMacro(GenerateScatter, bool);
+  vtkGetMacro(GenerateScatter, bool);
+  vtkBooleanMacro(GenerateScatter, bool);
+  vtkSetMacro(GenerateSpecular, bool);
+  vtkGetMacro(GenerateSpecular, bool);
+  vtkBooleanMacro(GenerateSpecular, bool);
+  ///@}
+
+  /**
+   * What the last update did.
+   */
+  vtkReliefStatistics* GetStatistics();
+
+  /**
+   * Changes with the scene.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkImageReliefShading();
+  ~vtkImageReliefShading() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  double NoDataValue = 0.0;
+  bool UseNoDataValue = false;
+  int OutputScalarType = VTK_FLOAT;
+  bool GenerateIllumination = false;
+  bool GenerateThickness = false;
+  bool GenerateNormals = false;
+  bool GenerateBase = false;
+  bool GenerateDiffuse = false;
+  bool GenerateScatter = false;
+  bool GenerateSpecular = false;
+
+private:
+  vtkImageReliefShading(const vtkImageReliefShading&) = delete;
+  void operator=(const vtkImageReliefShading&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
