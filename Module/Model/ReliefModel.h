@@ -3,10 +3,11 @@
 #define ReliefModel_h
 
 /// @file
-/// ReliefModel.glsl compiled as C++: once with real = float (namespace relief::f32, what the filter
-/// runs and what a GPU computes) and once with real = double (relief::f64, the reference).
+/// ReliefModel.glsl and ReliefThickness.glsl compiled as C++: once with real = float (namespace
+/// relief::f32, what the filter runs and what a GPU computes) and once with real = double
+/// (relief::f64, the reference).
 ///
-/// The text is GLSL as it stands. Here GLM supplies the vectors, the standard library the
+/// The texts are GLSL as they stand. Here GLM supplies the vectors, the standard library the
 /// functions, and the macros the few spellings in which the languages differ. Functions that read
 /// the height field become templates; they find reliefHeight() and its like beside the field's own
 /// type.
@@ -44,6 +45,7 @@ RELIEF_USING
 using real = float;
 using real3 = glm::vec3;
 #include "ReliefModel.glsl"
+#include "ReliefThickness.glsl"
 }
 
 namespace f64
@@ -52,6 +54,7 @@ RELIEF_USING
 using real = double;
 using real3 = glm::dvec3;
 #include "ReliefModel.glsl"
+#include "ReliefThickness.glsl"
 }
 }
 

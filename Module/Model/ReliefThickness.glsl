@@ -1,0 +1,585 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The height field's surface and how much of a ray runs inside it: the second half of the model, in the
+// dialect of ReliefModel.glsl, which it follows. Each host supplies the height field through
+//   int reliefColumns(field), reliefRows(field)    size in samples
+//   real reliefSpacingX(field), reliefSpacingY(field)
+//   real reliefHeight(field, i, j)                 height of a sample, NaN where there is no data
+//   real reliefTop(field)                          no height lies above it
+//   int reliefLevels(field)                        levels of bounds, 0 for none
+//   void reliefBounds(field, level, i, j, lo, hi)  bounds of a block of RELIEF_BLOCK << level cells:
+//                                                  lo > hi where every cell is a hole, and
+//                                                  (-infinity, infinity) where some are
+
+// Cells along a side of the smallest block that has bounds, as a power of two.
+const int RELIEF_BLOCK_SHIFT = 2;
+
+// A ray from the sunken point p' to a light. It starts (x, y) samples away from sample (i, j), sink
+// below the height base of that sample, and runs for end units of length.
+struct ReliefRay
+{
+  int i;
+  int j;
+  real x;
+  real y;
+  real base;
+  real sink;
+  real dx; // samples along x per unit of length
+  real dy;
+  real dz; // rise per unit of length
+  real end;
+};
+
+// What a trace found: at least `thickness` of the ray runs inside the material, and at most `rest`
+// more (0 unless the tolerance ended the trace early).
+struct ReliefTrace
+{
+  real thickness;
+  real rest;
+  int cells; // cells and blocks visited
+};
+
+//-------------------------------------------------------------------------------------------------
+// The surface
+
+// Slope along one axis from a sample's height and its two neighbours': central, one-sided where one
+// neighbour has no data, level where neither has.
+RELIEF_FN real reliefSlope(real before, real here, real after, real spacing)
+{
+  if (isnan(before))
+  {
+    return isnan(after) ? real(0.0f) : (after - here) / spacing;
+  }
+  return isnan(after) ? (here - before) / spacing : (after - before) / (2.0f * spacing);
+}
+
+// The unit normal at a sample (section 4.3.5.1, with the division by the spacing).
+RELIEF_FIELD_FN real3 reliefNormal(RELIEF_FIELD field, int i, int j)
+{
+  real none = RELIEF_NAN;
+  real here = reliefHeight(field, i, j);
+  real west = i > 0 ? reliefHeight(field, i - 1, j) : none;
+  real east = i + 1 < reliefColumns(field) ? reliefHeight(field, i + 1, j) : none;
+  real south = j > 0 ? reliefHeight(field, i, j - 1) : none;
+  real north = j + 1 < reliefRows(field) ? reliefHeight(field, i, j + 1) : none;
+  real gx = reliefSlope(west, here, east, reliefSpacingX(field));
+  real gy = reliefSlope(south, here, north, reliefSpacingY(field));
+  // Scaled by the larger slope first: the squares of a cliff's slopes would overflow.
+  real scale = max(real(1.0f), max(abs(gx), abs(gy)));
+  real3 n = real3(-gx / scale, -gy / scale, 1.0f / scale);
+  return n / sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+}
+
+//-------------------------------------------------------------------------------------------------
+// Thickness: the length of a ray inside the material (section 3.2.1)
+
+// The share of 0 <= u <= 1 in which a + (b - a) u + c u (u - 1) is positive. The height of a bilinear
+// patch above a straight ray is such a quadratic, a and b its values where the ray enters and leaves.
+RELIEF_FN real reliefInsideShare(real a, real b, real c)
+{
+  bool aInside = a > 0.0f;
+  bool bInside = b > 0.0f;
+  real slope = b - a - c; // at u = 0
+  if (aInside == bInside)
+  {
+    real all = aInside ? real(1.0f) : real(0.0f);
+    // Only a turning point between the ends that curves toward zero can cross it, and then twice.
+    if (abs(c) <= abs(b - a) || (c > 0.0f) != aInside)
+    {
+      return all;
+    }
+    real discriminant = slope * slope - 4.0f * a * c;
+    if (discriminant <= 0.0f)
+    {
+      return all;
+    }
+    real between = min(sqrt(discriminant) / abs(c), real(1.0f));
+    return aInside ? real(1.0f) - between : between;
+  }
+  // One crossing. Seen from the positive side it goes down; of the two ways to write that root, the
+  // one in which nothing cancels.
+  real sign = aInside ? real(1.0f) : real(-1.0f);
+  real q = sign * slope;
+  real root = sqrt(max(slope * slope - 4.0f * a * c, real(0.0f)));
+  real u = q < 0.0f ? 2.0f * sign * a / (root - q) : -(q + root) / (2.0f * sign * c);
+  u = clamp(u, real(0.0f), real(1.0f));
+  return aInside ? u : real(1.0f) - u;
+}
+
+// The inside length between s0 and s1, restricted to [from, to], of such a quadratic.
+RELIEF_FN real reliefPatchLength(real s0, real s1, real a, real b, real c, real from, real to)
+{
+  real len = s1 - s0;
+  if (from <= s0 && to >= s1)
+  {
+    return len * reliefInsideShare(a, b, c);
+  }
+  if (!(len > 0.0f) || to <= s0 || from >= s1)
+  {
+    return 0.0f;
+  }
+  real u0 = max(from - s0, real(0.0f)) / len;
+  real u1 = min((to - s0) / len, real(1.0f));
+  real span = u1 - u0;
+  if (!(span > 0.0f))
+  {
+    return 0.0f;
+  }
+  real a0 = a + (b - a) * u0 + c * u0 * (u0 - 1.0f);
+  real b0 = a + (b - a) * u1 + c * u1 * (u1 - 1.0f);
+  return (min(to, s1) - max(from, s0)) * reliefInsideShare(a0, b0, c * span * span);
+}
+
+// The inside length between s0 and s1 under level ground that lies `ground` above the start of a ray
+// which rises by dz per unit of length; s1 may be infinite.
+RELIEF_FN real reliefLevelLength(real s0, real s1, real ground, real dz)
+{
+  if (!(s1 > s0))
+  {
+    return 0.0f;
+  }
+  if (dz == 0.0f)
+  {
+    return ground > 0.0f ? s1 - s0 : real(0.0f);
+  }
+  real crossing = ground / dz;
+  return dz > 0.0f ? max(min(s1, crossing) - s0, real(0.0f)) : max(s1 - max(s0, crossing), real(0.0f));
+}
+
+// The cell along one axis that a ray at x enters: it lies ahead; beside a ray along a grid line it is
+// the one after the line, and before the last line the last.
+RELIEF_FN int reliefCellAhead(real x, real dx, int index, int cells)
+{
+  // A point sunk far outside the image may lie further away than an int counts.
+  real line = clamp(dx < 0.0f ? ceil(x) - 1.0f : floor(x), real(-1.0e9f), real(1.0e9f));
+  int cell = index + int(line);
+  return dx == 0.0f && cell == cells && x == floor(x) ? cell - 1 : cell;
+}
+
+// Height above base at a ray's start: bilinear at the position clamped to the image, over the corners
+// that have data; the start sample's own where none has.
+RELIEF_FIELD_FN real reliefStartHeight(RELIEF_FIELD field, ReliefRay ray)
+{
+  if (ray.x == 0.0f && ray.y == 0.0f)
+  {
+    return 0.0f;
+  }
+  real x = clamp(ray.x, -real(ray.i), real(reliefColumns(field) - 1 - ray.i));
+  real y = clamp(ray.y, -real(ray.j), real(reliefRows(field) - 1 - ray.j));
+  int ci = clamp(ray.i + int(floor(x)), 0, max(reliefColumns(field) - 2, 0));
+  int cj = clamp(ray.j + int(floor(y)), 0, max(reliefRows(field) - 2, 0));
+  real fx = x - real(ci - ray.i);
+  real fy = y - real(cj - ray.j);
+  real sum = 0.0f;
+  real weights = 0.0f;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    int di = corner & 1;
+    int dj = corner >> 1;
+    real weight = (di == 1 ? fx : real(1.0f) - fx) * (dj == 1 ? fy : real(1.0f) - fy);
+    if (weight > 0.0f)
+    {
+      real height = reliefHeight(field, ci + di, cj + dj) - ray.base;
+      if (!isnan(height))
+      {
+        sum += weight * height;
+        weights += weight;
+      }
+    }
+  }
+  return weights > 0.0f ? sum / weights : real(0.0f);
+}
+
+// Height at length s of a ray that crosses there a grid line between two samples: for axis 0 a line of
+// constant x between the rows j and j + 1, for axis 1 one of constant y between the columns i and i + 1.
+RELIEF_FN real reliefEdgeHeight(ReliefRay ray, int axis, int i, int j, real s, real first, real second)
+{
+  real share = axis == 0 ? ray.y + ray.dy * s - real(j - ray.j) : ray.x + ray.dx * s - real(i - ray.i);
+  return first + (second - first) * clamp(share, real(0.0f), real(1.0f));
+}
+
+// Whether the error of d is within the tolerance, however much of `rest` is inside.
+RELIEF_FN bool reliefSettled(ReliefMedium medium, real thickness, real rest)
+{
+  return reliefIllumination(medium, thickness) - reliefIllumination(medium, thickness + rest) <=
+    2.0f * medium.tolerance;
+}
+
+// Sums the closed-form inside length cell by cell, blocks that lie wholly above or below the ray at
+// once. Across holes and outside the image the surface is held level.
+RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray)
+{
+  ReliefTrace result;
+  result.thickness = 0.0f;
+  result.rest = 0.0f;
+  result.cells = 0;
+
+  // The part of the ray that can be inside: above the floor and not above everything.
+  real from = 0.0f;
+  real to = ray.end;
+  if (medium.useFloor)
+  {
+    real above = medium.floorHeight - ray.base + ray.sink;
+    if (ray.dz > 0.0f)
+    {
+      from = max(above / ray.dz, real(0.0f));
+    }
+    else if (ray.dz < 0.0f)
+    {
+      to = min(to, above / ray.dz);
+    }
+    else if (above >= 0.0f)
+    {
+      return result;
+    }
+  }
+  else if (ray.dz < 0.0f && ray.end >= RELIEF_INFINITY)
+  {
+    result.thickness = RELIEF_INFINITY;
+    return result;
+  }
+  if (ray.dz > 0.0f)
+  {
+    to = min(to, (reliefTop(field) - ray.base + ray.sink) / ray.dz);
+  }
+
+  int columns = reliefColumns(field) - 1; // cells along x
+  int rows = reliefRows(field) - 1;
+  int ci = reliefCellAhead(ray.x, ray.dx, ray.i, columns);
+  int cj = reliefCellAhead(ray.y, ray.dy, ray.j, rows);
+  int stepX = ray.dx < 0.0f ? -1 : 1;
+  int stepY = ray.dy < 0.0f ? -1 : 1;
+  real inverseX = ray.dx == 0.0f ? real(0.0f) : real(1.0f) / ray.dx;
+  real inverseY = ray.dy == 0.0f ? real(0.0f) : real(1.0f) / ray.dy;
+
+  real s = 0.0f;
+  real ground = reliefStartHeight(field, ray); // height above base at s: the surface's or the held one
+  bool onSurface = true;                       // which of the two
+  int axis = 0;                                // the axis whose grid line was crossed last
+
+  // A ray from outside runs under the held level until it meets the image, if it does.
+  bool outside = ci < 0 || ci >= columns || cj < 0 || cj >= rows;
+  if (outside && columns > 0 && rows > 0)
+  {
+    real entryX = ci < 0 && ray.dx > 0.0f ? (-real(ray.i) - ray.x) * inverseX
+      : ci >= columns && ray.dx < 0.0f    ? (real(columns - ray.i) - ray.x) * inverseX
+                                          : real(0.0f);
+    real entryY = cj < 0 && ray.dy > 0.0f ? (-real(ray.j) - ray.y) * inverseY
+      : cj >= rows && ray.dy < 0.0f       ? (real(rows - ray.j) - ray.y) * inverseY
+                                          : real(0.0f);
+    real entry = max(entryX, entryY);
+    int ei = ci;
+    int ej = cj;
+    if (entryX >= entryY && entryX > 0.0f)
+    {
+      axis = 0;
+      ei = ci < 0 ? 0 : columns - 1;
+      ej = reliefCellAhead(ray.y + ray.dy * entry, ray.dy, ray.j, rows);
+    }
+    else if (entryY > 0.0f)
+    {
+      axis = 1;
+      ej = cj < 0 ? 0 : rows - 1;
+      ei = reliefCellAhead(ray.x + ray.dx * entry, ray.dx, ray.i, columns);
+    }
+    if (entry > 0.0f && ei >= 0 && ei < columns && ej >= 0 && ej < rows)
+    {
+      ci = ei;
+      cj = ej;
+      outside = false;
+      result.thickness += reliefLevelLength(from, min(entry, to), ground + ray.sink, ray.dz);
+      s = entry;
+      onSurface = false;
+    }
+  }
+
+  int levels = reliefLevels(field);
+  int level = levels > 0 ? 1 : 0; // 0: cells, else blocks of level - 1
+  while (!outside && s < to)
+  {
+    if (medium.tolerance > 0.0f && reliefSettled(medium, result.thickness, to - max(s, from)))
+    {
+      result.rest = to - max(s, from);
+      return result;
+    }
+    ++result.cells;
+
+    int shift = level > 0 ? RELIEF_BLOCK_SHIFT + level - 1 : 0;
+    int bi = ci >> shift;
+    int bj = cj >> shift;
+    int lineX = ray.dx < 0.0f ? bi << shift : min((bi + 1) << shift, columns);
+    int lineY = ray.dy < 0.0f ? bj << shift : min((bj + 1) << shift, rows);
+    real exitX = ray.dx == 0.0f ? RELIEF_INFINITY : (real(lineX - ray.i) - ray.x) * inverseX;
+    real exitY = ray.dy == 0.0f ? RELIEF_INFINITY : (real(lineY - ray.j) - ray.y) * inverseY;
+    bool throughX = exitX <= exitY;
+    real s1 = max(throughX ? exitX : exitY, s);
+
+    if (level > 0)
+    {
+      real lo;
+      real hi;
+      reliefBounds(field, level - 1, bi, bj, lo, hi);
+      real z0 = s * ray.dz - ray.sink;
+      real z1 = min(s1, to) * ray.dz - ray.sink;
+      if (lo > hi)
+      {
+        result.thickness +=
+          reliefLevelLength(max(s, from), min(s1, to), ground + ray.sink, ray.dz);
+        onSurface = false;
+      }
+      else if (min(z0, z1) > hi - ray.base || max(z0, z1) < lo - ray.base)
+      {
+        if (max(z0, z1) < lo - ray.base)
+        {
+          result.thickness += max(min(s1, to) - max(s, from), real(0.0f));
+        }
+        onSurface = true;
+      }
+      else
+      {
+        --level;
+        continue;
+      }
+    }
+    else
+    {
+      real h00 = reliefHeight(field, ci, cj) - ray.base;
+      real h10 = reliefHeight(field, ci + 1, cj) - ray.base;
+      real h01 = reliefHeight(field, ci, cj + 1) - ray.base;
+      real h11 = reliefHeight(field, ci + 1, cj + 1) - ray.base;
+      real twist = (h11 - h10) - (h01 - h00);
+      if (isnan(twist))
+      {
+        result.thickness +=
+          reliefLevelLength(max(s, from), min(s1, to), ground + ray.sink, ray.dz);
+        onSurface = false;
+      }
+      else
+      {
+        if (!onSurface)
+        {
+          bool far = axis == 0 ? ray.dx < 0.0f : ray.dy < 0.0f;
+          ground = axis == 0
+            ? reliefEdgeHeight(ray, 0, ci, cj, s, far ? h10 : h00, far ? h11 : h01)
+            : reliefEdgeHeight(ray, 1, ci, cj, s, far ? h01 : h00, far ? h11 : h10);
+        }
+        onSurface = true;
+        if (s1 >= RELIEF_INFINITY)
+        {
+          // A vertical ray never leaves its cell.
+          result.thickness += reliefLevelLength(from, to, ground + ray.sink, ray.dz);
+        }
+        else
+        {
+          bool near = throughX ? ray.dx < 0.0f : ray.dy < 0.0f;
+          real next = throughX
+            ? reliefEdgeHeight(ray, 0, ci, cj, s1, near ? h00 : h10, near ? h01 : h11)
+            : reliefEdgeHeight(ray, 1, ci, cj, s1, near ? h00 : h01, near ? h10 : h11);
+          result.thickness += reliefPatchLength(s, s1, ground - (s * ray.dz - ray.sink),
+            next - (s1 * ray.dz - ray.sink), twist * (ray.dx * (s1 - s)) * (ray.dy * (s1 - s)), from,
+            to);
+          ground = next;
+        }
+      }
+    }
+
+    // Step into the cell ahead.
+    s = s1;
+    if (s >= to)
+    {
+      break;
+    }
+    axis = throughX ? 0 : 1;
+    int previousI = ci;
+    int previousJ = cj;
+    if (level > 0)
+    {
+      // The other coordinate follows from the position; rounding must not take it out of the block.
+      if (throughX)
+      {
+        cj = clamp(reliefCellAhead(ray.y + ray.dy * s, ray.dy, ray.j, rows), bj << shift,
+          min((bj + 1) << shift, rows) - 1);
+      }
+      else
+      {
+        ci = clamp(reliefCellAhead(ray.x + ray.dx * s, ray.dx, ray.i, columns), bi << shift,
+          min((bi + 1) << shift, columns) - 1);
+      }
+      if (onSurface)
+      {
+        int i = throughX ? lineX : ci;
+        int j = throughX ? cj : lineY;
+        real first = reliefHeight(field, i, j) - ray.base;
+        real second = reliefHeight(field, throughX ? i : i + 1, throughX ? j + 1 : j) - ray.base;
+        ground = reliefEdgeHeight(ray, axis, i, j, s, first, second);
+      }
+    }
+    if (throughX)
+    {
+      ci = lineX - (stepX < 0 ? 1 : 0);
+    }
+    else
+    {
+      cj = lineY - (stepY < 0 ? 1 : 0);
+    }
+    outside = ci < 0 || ci >= columns || cj < 0 || cj >= rows;
+
+    // Go up only where a block of the next level begins: the one left has been looked at already.
+    int above = RELIEF_BLOCK_SHIFT + level;
+    if (level < levels && (ci >> above != previousI >> above || cj >> above != previousJ >> above))
+    {
+      ++level;
+    }
+  }
+
+  if (s < to)
+  {
+    result.thickness += reliefLevelLength(max(s, from), to, ground + ray.sink, ray.dz);
+  }
+  return result;
+}
+
+// A ray from the point sunk below sample (i, j), whose normal is n, to a light. `light` is the unit
+// vector toward a directional light, or the position of a positional one relative to sample (i, j)
+// at height 0. The unit vector toward the light comes back in l.
+RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int i, int j, real3 n,
+  real3 light, bool positional, RELIEF_OUT(real3) l)
+{
+  ReliefRay ray;
+  ray.i = i;
+  ray.j = j;
+  ray.base = reliefHeight(field, i, j);
+  bool sunkAlongNormal = medium.offset == RELIEF_SURFACE_NORMAL;
+  real3 offset = sunkAlongNormal ? medium.depth * n : real3(0.0f, 0.0f, medium.depth);
+  ray.x = -offset.x / reliefSpacingX(field);
+  ray.y = -offset.y / reliefSpacingY(field);
+  ray.sink = offset.z;
+  ray.end = RELIEF_INFINITY;
+  l = light;
+  if (positional)
+  {
+    real3 toLight = real3(light.x + offset.x, light.y + offset.y, light.z - ray.base + offset.z);
+    // Scaled by its largest part first, so that the squares neither overflow nor vanish.
+    real scale = max(abs(toLight.x), max(abs(toLight.y), abs(toLight.z)));
+    ray.end = 0.0f;
+    l = real3(0.0f, 0.0f, 1.0f);
+    if (scale > 0.0f)
+    {
+      real3 part = toLight / scale;
+      real size = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
+      ray.end = scale * size;
+      l = part / size;
+    }
+  }
+  // A component this small comes from rounding in somebody's sine or cosine; over the largest image
+  // it moves the ray by less than a ten-thousandth of a sample, but it would take a ray along the last
+  // grid line out of the image.
+  ray.dx = abs(l.x) < real(1.0e-12f) ? real(0.0f) : l.x / reliefSpacingX(field);
+  ray.dy = abs(l.y) < real(1.0e-12f) ? real(0.0f) : l.y / reliefSpacingY(field);
+  ray.dz = l.z;
+  return ray;
+}
+
+//-------------------------------------------------------------------------------------------------
+// Depth 0
+
+// The limit of d for t -> 0 at an unshadowed sample. The ray then stays so near that the surface is
+// four planes that meet at the sample; r / t is the inside length of a ray from depth 1 below them.
+RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l)
+{
+  real3 start = medium.offset == RELIEF_SURFACE_NORMAL ? -n : real3(0.0f, 0.0f, -1.0f);
+  real crossX = l.x != 0.0f ? -start.x / l.x : real(0.0f);
+  real crossY = l.y != 0.0f ? -start.y / l.y : real(0.0f);
+  real first = max(min(crossX, crossY), real(0.0f));
+  real second = max(max(crossX, crossY), real(0.0f));
+
+  real thickness = 0.0f;
+  real s = 0.0f;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    bool last = piece == 2;
+    real s1 = piece == 0 ? first : second;
+    if (!last && !(s1 > s))
+    {
+      continue;
+    }
+    // A point inside the piece says over which of the four planes it runs.
+    real middle = last ? s + 1.0f : (s + s1) / 2.0f;
+    int di = start.x + middle * l.x < 0.0f ? -1 : 1;
+    int dj = start.y + middle * l.y < 0.0f ? -1 : 1;
+    real gx = 0.0f;
+    real gy = 0.0f;
+    int i1 = ray.i + di;
+    int j1 = ray.j + dj;
+    if (i1 >= 0 && i1 < reliefColumns(field) && j1 >= 0 && j1 < reliefRows(field))
+    {
+      real hx = reliefHeight(field, i1, ray.j) - ray.base;
+      real hy = reliefHeight(field, ray.i, j1) - ray.base;
+      if (!isnan(hx + hy + reliefHeight(field, i1, j1)))
+      {
+        gx = hx / (real(di) * reliefSpacingX(field));
+        gy = hy / (real(dj) * reliefSpacingY(field));
+      }
+    }
+    // The plane's height above the ray is linear along it: value and rate at this piece's start.
+    real above =
+      gx * (start.x + s * l.x) + gy * (start.y + s * l.y) - (start.z + s * l.z);
+    real rate = gx * l.x + gy * l.y - l.z;
+    if (last)
+    {
+      if (rate > 0.0f || (rate == 0.0f && above > 0.0f))
+      {
+        return 0.0f;
+      }
+      thickness += above > 0.0f ? above / -rate : real(0.0f);
+    }
+    else
+    {
+      thickness += (s1 - s) * reliefInsideShare(above, above + rate * (s1 - s), 0.0f);
+      s = s1;
+    }
+  }
+  return thickness > 1.0f ? real(1.0f) / thickness : real(1.0f);
+}
+
+//-------------------------------------------------------------------------------------------------
+// The two integrators
+
+// d at the start of a ray, exactly or within the tolerance.
+RELIEF_FIELD_FN real reliefExact(
+  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l, RELIEF_OUT(ReliefTrace) trace)
+{
+  trace = reliefTrace(field, medium, ray);
+  real d = reliefIllumination(medium, trace.thickness);
+  if (trace.rest > 0.0f)
+  {
+    return (d + reliefIllumination(medium, trace.thickness + trace.rest)) / 2.0f;
+  }
+  if (medium.depth == 0.0f && medium.attenuation == RELIEF_RECIPROCAL && trace.thickness == 0.0f &&
+    ray.end > 0.0f)
+  {
+    return reliefContact(field, medium, ray, n, l);
+  }
+  return d;
+}
+
+// n of Algorithm 1 (section 4.3.1): how many of the steps + 1 points from the start to the light stand
+// below the surface at their nearest sample.
+RELIEF_FIELD_FN int reliefStepCount(RELIEF_FIELD field, ReliefRay ray, int steps)
+{
+  int count = 0;
+  for (int k = 0; k <= steps; ++k)
+  {
+    real s = ray.end * (real(k) / real(steps));
+    real x = floor(ray.x + s * ray.dx + 0.5f);
+    real y = floor(ray.y + s * ray.dy + 0.5f);
+    // Compared as real numbers: a far light's position does not fit into an int.
+    if (x >= -real(ray.i) && x < real(reliefColumns(field) - ray.i) && y >= -real(ray.j) &&
+      y < real(reliefRows(field) - ray.j) &&
+      s * ray.dz - ray.sink < reliefHeight(field, ray.i + int(x), ray.j + int(y)) - ray.base)
+    {
+      ++count;
+    }
+  }
+  return count;
+}
