@@ -239,6 +239,15 @@ relief::Scene ConvertMaterial(vtkReliefScene* scene, const ImageFrame& frame, do
   return result;
 }
 
+// Whether lights may be swept in lockstep, for which the heights are copied with a margin. In a
+// narrow image the margin would outweigh the samples, and little would be won.
+bool IsSwept(vtkReliefScene* scene, int columns)
+{
+  return columns >= 64 && scene->GetIntegrator() == vtkReliefScene::Exact &&
+    scene->GetMaterial()->GetOffsetMode() == vtkReliefMaterial::Vertical &&
+    !scene->GetMaterial()->GetUseFloor();
+}
+
 float* AddLayer(vtkImageData* image, bool wanted, const char* name, int components)
 {
   if (!wanted)
@@ -441,7 +450,7 @@ int vtkImageReliefShading::RequestData(
         source.hasNoData = this->UseNoDataValue;
         source.noData = this->NoDataValue;
         source.hasData = hasData;
-        wrong = field.Assign(source, ForRows);
+        wrong = field.Assign(source, ForRows, IsSwept(scene, columns));
       });
     }
   }
@@ -533,21 +542,27 @@ int vtkImageReliefShading::RequestData(
     target.rgba8 = static_cast<unsigned char*>(pixels);
   }
 
-  // Bands of rows, one after another: between them observers hear of progress, on this thread, and
+  // Bands of tiles, one after another: between them observers hear of progress, on this thread, and
   // may abort.
   relief::SceneShading shading(field, parameters, target);
-  const int rows = outExtent[3] - outExtent[2] + 1;
-  const int band = std::max((rows + 63) / 64, 4 * vtkSMPTools::GetEstimatedNumberOfThreads());
-  for (int begin = 0; begin < rows && !this->AbortExecute; begin += band)
+  const int height = relief::SweepThickness::TileHeight;
+  const int firstRow = target.j0;
+  const int endRow = target.j0 + outExtent[3] - outExtent[2] + 1;
+  const int tiles = (endRow + height - 1) / height;
+  const int band =
+    std::max((tiles - firstRow / height + 63) / 64, 2 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  for (int begin = firstRow / height; begin < tiles && !this->AbortExecute; begin += band)
   {
-    const int end = std::min(begin + band, rows);
+    const int end = std::min(begin + band, tiles);
     vtkSMPTools::For(begin, end, 1,
-      [&](vtkIdType j0, vtkIdType j1)
+      [&](vtkIdType from, vtkIdType to)
       {
-        shading.Shade(target.i0, target.i0 + target.width, target.j0 + static_cast<int>(j0),
-          target.j0 + static_cast<int>(j1));
+        shading.Shade(target.i0, target.i0 + target.width,
+          std::max(firstRow, static_cast<int>(from) * height),
+          std::min(endRow, static_cast<int>(to) * height));
       });
-    this->UpdateProgress(static_cast<double>(end) / rows);
+    this->UpdateProgress(
+      static_cast<double>(std::min(end * height, endRow) - firstRow) / (endRow - firstRow));
   }
   if (this->AbortExecute)
   {

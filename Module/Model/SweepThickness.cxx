@@ -1,0 +1,623 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SweepThickness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// Compiles the rest of this file once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "SweepThickness.cxx"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace relief
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<float, SweepThickness::TileWidth>;
+using Vector = hn::Vec<Tag>;
+using Mask = hn::Mask<Tag>;
+
+// reliefInsideShare() for the lanes of a vector.
+HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
+{
+  const Vector zero = hn::Zero(tag);
+  const Vector one = hn::Set(tag, 1.0f);
+  const Mask aInside = hn::Gt(a, zero);
+  const Mask bInside = hn::Gt(b, zero);
+  const Vector slope = hn::Sub(hn::Sub(b, a), c);
+  const Vector square = hn::Mul(slope, slope);
+  const Vector discriminant = hn::Sub(square, hn::Mul(hn::Set(tag, 4.0f), hn::Mul(a, c)));
+  const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
+
+  // Same side at both ends: the stretch between two crossings, if there are any.
+  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Abs(hn::Sub(b, a))),
+    hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
+  const Vector between = hn::IfThenElseZero(turns, hn::Min(hn::Div(root, hn::Abs(c)), one));
+  const Vector same = hn::IfThenElse(aInside, hn::Sub(one, between), between);
+
+  // One crossing, seen from the positive side.
+  const Vector q = hn::IfThenElse(aInside, slope, hn::Neg(slope));
+  const Vector sa = hn::Abs(a);
+  const Vector sc = hn::IfThenElse(aInside, c, hn::Neg(c));
+  const Mask falls = hn::Lt(q, zero);
+  const Vector numerator = hn::IfThenElse(falls, hn::Add(sa, sa), hn::Neg(hn::Add(q, root)));
+  const Vector denominator = hn::IfThenElse(falls, hn::Sub(root, q), hn::Add(sc, sc));
+  const Vector u = hn::Min(hn::Max(hn::Div(numerator, denominator), zero), one);
+  const Vector once = hn::IfThenElse(aInside, u, hn::Sub(one, u));
+
+  return hn::IfThenElse(hn::Xor(aInside, bInside), once, same);
+}
+
+// The rows of the padded heights; rows outside the image have no data.
+struct Rows
+{
+  const float* first;
+  std::ptrdiff_t pitch;
+  const float* missing;
+  int count;
+
+  HWY_INLINE const float* operator()(int j) const
+  {
+    return static_cast<unsigned int>(j) < static_cast<unsigned int>(this->count)
+      ? this->first + j * this->pitch
+      : this->missing;
+  }
+};
+
+// A tile's state at the grid line that its rays crossed last.
+struct Tile
+{
+  HWY_ALIGN float base[SweepThickness::TileSize];      // the samples' own heights
+  HWY_ALIGN float surface[SweepThickness::TileSize];   // the surface's height at the crossing
+  HWY_ALIGN float ground[SweepThickness::TileSize];    // that, or the height held across a hole
+  HWY_ALIGN float thickness[SweepThickness::TileSize]; // so far
+  HWY_ALIGN float rest[SweepThickness::TileSize];
+};
+
+HWY_INLINE Vector EdgeHeight(
+  Tag tag, int edge, float weight, Vector h00, Vector h10, Vector h01, Vector h11)
+{
+  Vector first = h10;
+  Vector second = h11;
+  switch (edge)
+  {
+    case 1:
+      first = h00;
+      second = h01;
+      break;
+    case 2:
+      first = h01;
+      break;
+    case 3:
+      first = h00;
+      second = h10;
+      break;
+    default:
+      break;
+  }
+  return hn::Add(first, hn::Mul(hn::Sub(second, first), hn::Set(tag, weight)));
+}
+
+// Walks the cells [begin, end) with every ray of a tile; riseIn is the rays' rise where they enter.
+void WalkCells(const SweepThickness::Plan& plan, const Rows& rows, int x0, int y0, int begin,
+  int end, float riseIn, Tile& tile)
+{
+  const Tag tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const Vector zero = hn::Zero(tag);
+  for (int row = 0; row < SweepThickness::TileHeight; ++row)
+  {
+    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
+    {
+      const int at = row * SweepThickness::TileWidth + column;
+      const Vector base = hn::Load(tag, tile.base + at);
+      Vector surface = hn::Load(tag, tile.surface + at);
+      Vector ground = hn::Load(tag, tile.ground + at);
+      Vector thickness = hn::Load(tag, tile.thickness + at);
+      float rise = riseIn;
+      for (int k = begin; k < end; ++k)
+      {
+        const SweepThickness::Cell& cell = plan.cells[k];
+        const float* lower = rows(y0 + row + cell.y) + (x0 + column + cell.x);
+        const float* upper = rows(y0 + row + cell.y + 1) + (x0 + column + cell.x);
+        const Vector h00 = hn::LoadU(tag, lower);
+        const Vector h10 = hn::LoadU(tag, lower + 1);
+        const Vector h01 = hn::LoadU(tag, upper);
+        const Vector h11 = hn::LoadU(tag, upper + 1);
+        const Vector twist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
+        const Vector next = EdgeHeight(tag, cell.exit, cell.weight, h00, h10, h01, h11);
+
+        // Across a hole the ground stays where it was. Out of a hole it jumps to the surface.
+        const Mask hole = hn::IsNaN(twist);
+        const Vector from = hn::IfThenElse(hole, ground, surface);
+        ground = hn::IfThenElse(hole, ground, next);
+        surface = next;
+        const Vector a = hn::Sub(hn::Sub(from, base), hn::Set(tag, rise));
+        rise = cell.rise;
+        const Vector b = hn::Sub(hn::Sub(ground, base), hn::Set(tag, rise));
+        const Vector c = hn::IfThenZeroElse(hole, hn::Mul(twist, hn::Set(tag, cell.bend)));
+
+        const Vector length = hn::Set(tag, cell.length);
+        const Mask aInside = hn::Gt(a, zero);
+        const Mask bInside = hn::Gt(b, zero);
+        // A turning point reaches zero only if the bow, a quarter of c deep, is deeper than the
+        // ends are far.
+        const Vector depth = hn::Abs(hn::Mul(c, hn::Set(tag, 0.25f)));
+        const Mask crosses =
+          hn::Or(hn::Xor(aInside, bInside), hn::Ge(depth, hn::Min(hn::Abs(a), hn::Abs(b))));
+        if (HWY_LIKELY(hn::AllFalse(tag, crosses)))
+        {
+          thickness = hn::Add(thickness, hn::IfThenElseZero(aInside, length));
+        }
+        else
+        {
+          thickness = hn::Add(thickness, hn::Mul(length, InsideShare(tag, a, b, c)));
+        }
+      }
+      hn::Store(surface, tag, tile.surface + at);
+      hn::Store(ground, tag, tile.ground + at);
+      hn::Store(thickness, tag, tile.thickness + at);
+    }
+  }
+}
+
+// Sets surface and ground to the surface's height at the exit of a cell, after cells without holes.
+void Resume(
+  const SweepThickness::Plan& plan, const Rows& rows, int x0, int y0, int index, Tile& tile)
+{
+  const Tag tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const SweepThickness::Cell& cell = plan.cells[index];
+  for (int row = 0; row < SweepThickness::TileHeight; ++row)
+  {
+    const float* lower = rows(y0 + row + cell.y) + (x0 + cell.x);
+    const float* upper = rows(y0 + row + cell.y + 1) + (x0 + cell.x);
+    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
+    {
+      const int at = row * SweepThickness::TileWidth + column;
+      const Vector height = EdgeHeight(tag, cell.exit, cell.weight, hn::LoadU(tag, lower + column),
+        hn::LoadU(tag, lower + column + 1), hn::LoadU(tag, upper + column),
+        hn::LoadU(tag, upper + column + 1));
+      hn::Store(height, tag, tile.surface + at);
+      // Rays that have left the image keep what they held.
+      const Vector ground = hn::Load(tag, tile.ground + at);
+      hn::Store(hn::IfThenElse(hn::IsNaN(height), ground, height), tag, tile.ground + at);
+    }
+  }
+}
+
+// Bounds of the cells that a group's rays from the samples [x0, x1] x [y0, y1] run through, as far
+// as they are in the image. Returns how much of them is: 0 nothing, 1 a part, 2 all.
+HWY_INLINE int GroupBounds(const SweepThickness::Plan& plan, const SweepThickness::Group& group,
+  int level, int x0, int x1, int y0, int y1, float& lo, float& hi)
+{
+  const HeightView<float>& heights = plan.field->GetField().heights;
+  const MinMaxPyramid& bounds = plan.field->GetPyramid();
+  const int lastX = heights.columns - 2;
+  const int lastY = heights.rows - 2;
+  const int i0 = x0 + group.x0;
+  const int i1 = x1 + group.x1;
+  const int j0 = y0 + group.y0;
+  const int j1 = y1 + group.y1;
+  if (i1 < 0 || i0 > lastX || j1 < 0 || j0 > lastY)
+  {
+    return 0;
+  }
+  level = std::min(level, bounds.GetNumberOfLevels() - 1);
+  const int shift = f32::RELIEF_BLOCK_SHIFT + level;
+  const int b0 = std::max(i0, 0) >> shift;
+  const int b1 = std::min(i1, lastX) >> shift;
+  const int c0 = std::max(j0, 0) >> shift;
+  const int c1 = std::min(j1, lastY) >> shift;
+  lo = std::numeric_limits<float>::infinity();
+  hi = -std::numeric_limits<float>::infinity();
+  bool holes = false;
+  for (int c = c0; c <= c1; ++c)
+  {
+    for (int b = b0; b <= b1; ++b)
+    {
+      const MinMaxPyramid::Bounds& block = bounds.At(level, b, c);
+      holes = holes || block.lo > block.hi;
+      lo = block.lo < lo ? block.lo : lo;
+      hi = block.hi > hi ? block.hi : hi;
+    }
+  }
+  if (holes)
+  {
+    lo = -std::numeric_limits<float>::infinity();
+    hi = std::numeric_limits<float>::infinity();
+  }
+  return i0 >= 0 && i1 <= lastX && j0 >= 0 && j1 <= lastY ? 2 : 1;
+}
+
+// Sets what may be left of the rays, up to where they rise above everything. Returns whether d is
+// settled for all, within the tolerance.
+bool Settle(const SweepThickness::Plan& plan, float distance, bool measure, Tile& tile)
+{
+  const Tag tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const Vector zero = hn::Zero(tag);
+  const Vector depth = hn::Set(tag, plan.medium.depth);
+  const Vector top = hn::Set(tag, plan.field->GetTop() + plan.medium.depth);
+  const Vector perRise = hn::Set(tag, 1.0f / plan.dz);
+  const Vector twice = hn::Set(tag, 2.0f * plan.medium.tolerance);
+  const bool exponential = plan.medium.attenuation == f32::RELIEF_EXPONENTIAL;
+  // exp(-a (r - t)) <= 2 epsilon from this thickness on.
+  const float dark = exponential ? plan.medium.depth -
+      std::log(std::min(2.0f * plan.medium.tolerance, 1.0f)) / plan.medium.density
+                                 : 0.0f;
+  bool settled = true;
+  for (int at = 0; at < SweepThickness::TileSize; at += lanes)
+  {
+    const Vector base = hn::Load(tag, tile.base + at);
+    const Vector rest =
+      hn::Max(hn::Sub(hn::Mul(hn::Sub(top, base), perRise), hn::Set(tag, distance)), zero);
+    if (measure)
+    {
+      hn::Store(rest, tag, tile.rest + at);
+      continue;
+    }
+    const Vector thickness = hn::Load(tag, tile.thickness + at);
+    Mask open;
+    if (exponential)
+    {
+      // The slope of d is at most a.
+      open = hn::And(hn::Lt(thickness, hn::Set(tag, dark)),
+        hn::Gt(hn::Mul(rest, hn::Set(tag, plan.medium.density)), twice));
+    }
+    else
+    {
+      // t / r - t / (r + rest) > 2 epsilon, without the divisions.
+      const Vector r = hn::Max(thickness, depth);
+      open = hn::Gt(hn::Mul(depth, rest), hn::Mul(hn::Mul(twice, r), hn::Add(r, rest)));
+    }
+    // Samples without data compare false.
+    if (!hn::AllFalse(tag, open))
+    {
+      settled = false;
+      break;
+    }
+  }
+  return settled;
+}
+
+// Adds what is left of rays that have left the image, under level ground.
+void AddLevelRest(const SweepThickness::Plan& plan, float distance, Tile& tile)
+{
+  for (int at = 0; at < SweepThickness::TileSize; ++at)
+  {
+    tile.thickness[at] += f32::reliefLevelLength(distance, std::numeric_limits<float>::infinity(),
+      tile.ground[at] - tile.base[at] + plan.medium.depth, plan.dz);
+  }
+}
+
+void TraceTile(
+  const SweepThickness::Plan& plan, int x0, int y0, float* thickness, float* rest, RayCount& count)
+{
+  const Tag tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const HeightField& field = *plan.field;
+  const HeightView<float>& heights = field.GetField().heights;
+  const Rows rows = { heights.data, heights.stepY, field.GetMissingRow(), heights.rows };
+  const int x1 = std::min(x0 + SweepThickness::TileWidth, heights.columns) - 1;
+  const int y1 = std::min(y0 + SweepThickness::TileHeight, heights.rows) - 1;
+
+  Tile tile;
+  float lowest = std::numeric_limits<float>::infinity();
+  float highest = -lowest;
+  for (int row = 0; row < SweepThickness::TileHeight; ++row)
+  {
+    const float* own = rows(y0 + row) + x0;
+    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
+    {
+      const int at = row * SweepThickness::TileWidth + column;
+      const Vector base = hn::LoadU(tag, own + column);
+      hn::Store(base, tag, tile.base + at);
+      hn::Store(base, tag, tile.surface + at);
+      hn::Store(base, tag, tile.ground + at);
+      hn::Store(hn::Zero(tag), tag, tile.thickness + at);
+      hn::Store(hn::Zero(tag), tag, tile.rest + at);
+    }
+  }
+  int samples = 0;
+  for (float base : tile.base)
+  {
+    samples += base == base ? 1 : 0;
+    lowest = base < lowest ? base : lowest;
+    highest = base > highest ? base : highest;
+  }
+  if (samples > 0)
+  {
+    count.rays += static_cast<std::uint64_t>(samples);
+    const float top = field.GetTop();
+    bool current = true; // surface and ground belong to the crossing before the group
+    bool done = false;
+    float held = highest; // no ray's ground is higher, once rays have left the image
+    const int groups = static_cast<int>(plan.groups.size());
+    for (int g = 0; g < groups && !done; ++g)
+    {
+      const SweepThickness::Group& group = plan.groups[g];
+      if (lowest + group.riseIn > top)
+      {
+        done = true;
+        break;
+      }
+      if (plan.medium.tolerance > 0.0f && plan.dz > 0.0f && g % SweepThickness::SpanSize == 0 &&
+        g > 0 && Settle(plan, group.distance, false, tile))
+      {
+        Settle(plan, group.distance, true, tile);
+        done = true;
+        break;
+      }
+      float lo;
+      float hi;
+      if (g % SweepThickness::SpanSize == 0 && plan.dz >= 0.0f)
+      {
+        const SweepThickness::Group& span = plan.spans[g / SweepThickness::SpanSize];
+        if (GroupBounds(plan, span, 2, x0, x1, y0, y1, lo, hi) == 2)
+        {
+          if (hi < lowest + span.riseIn)
+          {
+            current = false;
+            ++count.cells;
+            g += SweepThickness::SpanSize - 1;
+            continue;
+          }
+        }
+      }
+      const int inImage = GroupBounds(plan, group, 1, x0, x1, y0, y1, lo, hi);
+      ++count.cells;
+      if (inImage == 0)
+      {
+        if (!current)
+        {
+          Resume(plan, rows, x0, y0, group.begin - 1, tile);
+        }
+        AddLevelRest(plan, group.distance, tile);
+        done = true;
+        break;
+      }
+      if (hi < lowest + group.riseIn && (inImage == 2 || held < lowest + group.riseIn))
+      {
+        current = false;
+        continue;
+      }
+      if (inImage == 2 && lo > highest + group.riseOut)
+      {
+        const Vector length = hn::Set(tag, group.length);
+        for (int at = 0; at < SweepThickness::TileSize; at += lanes)
+        {
+          hn::Store(hn::Add(hn::Load(tag, tile.thickness + at), length), tag, tile.thickness + at);
+        }
+        current = false;
+        continue;
+      }
+      if (!current)
+      {
+        Resume(plan, rows, x0, y0, group.begin - 1, tile);
+        current = true;
+      }
+      WalkCells(plan, rows, x0, y0, group.begin, group.end, group.riseIn, tile);
+      count.cells += static_cast<std::uint64_t>(samples) * (group.end - group.begin);
+      if (inImage == 1)
+      {
+        held = -std::numeric_limits<float>::infinity();
+        for (float ground : tile.ground)
+        {
+          held = ground > held ? ground : held;
+        }
+      }
+    }
+  }
+  std::copy_n(tile.thickness, SweepThickness::TileSize, thickness);
+  std::copy_n(tile.rest, SweepThickness::TileSize, rest);
+}
+
+// d of a tile of thicknesses by the reciprocal attenuation.
+void IlluminateReciprocal(float depth, const float* thickness, const float* rest, float* d)
+{
+  const Tag tag;
+  const Vector t = hn::Set(tag, depth);
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  for (int at = 0; at < SweepThickness::TileSize; at += lanes)
+  {
+    const Vector r = hn::LoadU(tag, thickness + at);
+    const Vector high = hn::Div(t, hn::Max(r, t));
+    const Vector more = hn::LoadU(tag, rest + at);
+    const Vector low = hn::Div(t, hn::Max(hn::Add(r, more), t));
+    const Mask open = hn::Gt(more, hn::Zero(tag));
+    const Vector mean = hn::Mul(hn::Add(high, low), hn::Set(tag, 0.5f));
+    hn::StoreU(hn::IfThenElse(open, mean, high), tag, d + at);
+  }
+}
+
+const char* TargetName()
+{
+  return hwy::TargetName(HWY_TARGET);
+}
+
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace relief
+{
+HWY_EXPORT(TraceTile);
+HWY_EXPORT(IlluminateReciprocal);
+HWY_EXPORT(TargetName);
+
+namespace
+{
+// As the model takes directions along an axis.
+constexpr double AlongAxis = 1.0e-12;
+}
+
+bool SweepThickness::Applies(const f64::ReliefMedium& medium, const Light& light)
+{
+  bool vertical = std::abs(light.vector.x) < AlongAxis && std::abs(light.vector.y) < AlongAxis;
+  return !light.positional && light.vector.z >= 0.0 && !vertical && !medium.useFloor &&
+    medium.offset == f64::RELIEF_VERTICAL;
+}
+
+SweepThickness::SweepThickness(
+  const HeightField& field, const f64::ReliefMedium& medium, const Light& light)
+  : Source(light)
+{
+  const HeightView<float>& heights = field.GetField().heights;
+  this->AlongY = std::abs(light.vector.x) < AlongAxis;
+  this->AlongX = std::abs(light.vector.y) < AlongAxis;
+  const double dx = this->AlongY ? 0.0 : light.vector.x / heights.spacingX;
+  const double dy = this->AlongX ? 0.0 : light.vector.y / heights.spacingY;
+  const double dz = light.vector.z;
+  this->Prepared.field = &field;
+  this->Prepared.medium = relief::ToSingle(medium);
+  this->Prepared.dz = static_cast<float>(dz);
+
+  // From a corner of the image to the opposite one, or to where the lowest ray is above everything.
+  const double infinity = std::numeric_limits<double>::infinity();
+  double end = std::min(dx != 0.0 ? heights.columns / std::abs(dx) : infinity,
+    dy != 0.0 ? heights.rows / std::abs(dy) : infinity);
+  if (dz > 0.0)
+  {
+    end = std::min(end, (double(field.GetTop()) - field.GetBottom() + medium.depth) / dz);
+  }
+
+  int x = dx < 0.0 ? -1 : 0;
+  int y = dy < 0.0 ? -1 : 0;
+  double s = 0.0;
+  while (s < end)
+  {
+    const double exitX = dx != 0.0 ? (dx > 0.0 ? x + 1 : x) / dx : infinity;
+    const double exitY = dy != 0.0 ? (dy > 0.0 ? y + 1 : y) / dy : infinity;
+    const bool throughX = exitX <= exitY;
+    const double next = std::max(throughX ? exitX : exitY, s);
+    Cell cell;
+    cell.x = x;
+    cell.y = y;
+    cell.exit = throughX ? (dx > 0.0 ? 0 : 1) : (dy > 0.0 ? 2 : 3);
+    const double place = throughX ? dy * next - y : dx * next - x;
+    cell.weight = static_cast<float>(std::min(std::max(place, 0.0), 1.0));
+    cell.length = static_cast<float>(next - s);
+    cell.rise = static_cast<float>(next * dz - medium.depth);
+    cell.bend = static_cast<float>(dx * (next - s) * dy * (next - s));
+    if (this->Prepared.cells.size() % GroupSize == 0)
+    {
+      Group group = { static_cast<int>(this->Prepared.cells.size()), 0, x, x, y, y,
+        static_cast<float>(s * dz - medium.depth), 0.0f, 0.0f, static_cast<float>(s) };
+      this->Prepared.groups.push_back(group);
+    }
+    this->Prepared.cells.push_back(cell);
+    Group& group = this->Prepared.groups.back();
+    group.end = static_cast<int>(this->Prepared.cells.size());
+    group.x0 = std::min(group.x0, x);
+    group.x1 = std::max(group.x1, x);
+    group.y0 = std::min(group.y0, y);
+    group.y1 = std::max(group.y1, y);
+    group.riseOut = cell.rise;
+    group.length = static_cast<float>(next - group.distance);
+    s = next;
+    (throughX ? x : y) += (throughX ? dx : dy) > 0.0 ? 1 : -1;
+  }
+  // After the last cell every ray is outside or above everything: one more group says so.
+  Group last = { static_cast<int>(this->Prepared.cells.size()),
+    static_cast<int>(this->Prepared.cells.size()), heights.columns + TileWidth,
+    heights.columns + TileWidth, 0, 0, static_cast<float>(s * dz - medium.depth), 0.0f, 0.0f,
+    static_cast<float>(s) };
+  this->Prepared.groups.push_back(last);
+
+  for (std::size_t g = 0; g < this->Prepared.groups.size(); g += SpanSize)
+  {
+    Group span = this->Prepared.groups[g];
+    for (std::size_t k = g; k < std::min(g + SpanSize, this->Prepared.groups.size()); ++k)
+    {
+      const Group& group = this->Prepared.groups[k];
+      span.end = group.end;
+      span.x0 = std::min(span.x0, group.x0);
+      span.x1 = std::max(span.x1, group.x1);
+      span.y0 = std::min(span.y0, group.y0);
+      span.y1 = std::max(span.y1, group.y1);
+    }
+    this->Prepared.spans.push_back(span);
+  }
+}
+
+void SweepThickness::IlluminateTile(int column, int row, float* d, float* r, RayCount& count) const
+{
+  float thickness[TileSize];
+  float rest[TileSize];
+  const f32::ReliefMedium& medium = this->Prepared.medium;
+  HWY_DYNAMIC_DISPATCH(TraceTile)
+  (this->Prepared, column * TileWidth, row * TileHeight, thickness, rest, count);
+  if (medium.attenuation == f32::RELIEF_RECIPROCAL && medium.depth > 0.0f)
+  {
+    HWY_DYNAMIC_DISPATCH(IlluminateReciprocal)(medium.depth, thickness, rest, d);
+  }
+  else
+  {
+    for (int at = 0; at < TileSize; ++at)
+    {
+      d[at] = f32::reliefIllumination(medium, thickness[at]);
+      if (rest[at] > 0.0f)
+      {
+        d[at] = (d[at] + f32::reliefIllumination(medium, thickness[at] + rest[at])) / 2.0f;
+      }
+    }
+  }
+  if (r)
+  {
+    std::copy_n(thickness, TileSize, r);
+  }
+  this->FixLastLine(column, row, d, r, count);
+}
+
+// What lockstep does not say of single samples. A ray along the last grid line belongs to the last
+// cell, while its neighbours' belong to the cell after their line; and the limit for depth 0.
+void SweepThickness::FixLastLine(int column, int row, float* d, float* r, RayCount& count) const
+{
+  const Field<float>& field = this->Prepared.field->GetField();
+  const f32::ReliefMedium& medium = this->Prepared.medium;
+  const int lastX = field.heights.columns - 1;
+  const int lastY = field.heights.rows - 1;
+  const bool contact = medium.depth == 0.0f && medium.attenuation == f32::RELIEF_RECIPROCAL;
+  const bool lastColumn = this->AlongY && lastX / TileWidth == column;
+  const bool lastRow = this->AlongX && lastY / TileHeight == row;
+  if (!contact && !lastColumn && !lastRow)
+  {
+    return;
+  }
+  for (int at = 0; at < TileSize; ++at)
+  {
+    const int i = column * TileWidth + at % TileWidth;
+    const int j = row * TileHeight + at / TileWidth;
+    const bool onLastLine = (lastColumn && i == lastX) || (lastRow && j == lastY);
+    if (i > lastX || j > lastY || (!onLastLine && !(contact && d[at] == 1.0f)))
+    {
+      continue;
+    }
+    RowRequest<float> request;
+    request.j = j;
+    request.begin = i;
+    request.end = i + 1;
+    request.illumination = d + at;
+    request.thickness = r ? r + at : nullptr;
+    RayCount again;
+    TraceRow<float>(field, medium, this->Source, request, again);
+    count.cells += again.cells;
+  }
+}
+
+const char* SweepThickness::GetTargetName()
+{
+  return HWY_DYNAMIC_DISPATCH(TargetName)();
+}
+
+}
+
+#endif

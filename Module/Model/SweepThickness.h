@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SweepThickness_h
+#define SweepThickness_h
+
+#include "HeightField.h"
+#include "RayThickness.h"
+
+#include <vector>
+
+namespace relief
+{
+
+/// Thickness for a directional light, many samples in lockstep.
+///
+/// All rays are parallel, so every sample's ray crosses the grid lines at the same offsets from its
+/// own sample. A crossing's height is then the same two neighbours with the same weight for every
+/// sample: loads of unit stride, whole vectors at a time, and inside a cell the same quadratic as
+/// in reliefTrace(), of which only the vectors that cross zero pay for a square root. Crossings are
+/// walked in groups, and groups that the bounds show to lie above or below all rays of a tile are
+/// skipped.
+///
+/// Tiles are anchored to the field's first sample and always computed whole, so results do not
+/// depend on who computes which part. The loops are compiled for several instruction sets and
+/// chosen at run time.
+class SweepThickness
+{
+public:
+  static constexpr int TileWidth = 32;
+  static constexpr int TileHeight = 8;
+  static constexpr int TileSize = TileWidth * TileHeight;
+
+  /// Whether a light and medium are of the kind that is swept: a directional light at or above the
+  /// horizon, points sunk vertically, no floor.
+  static bool Applies(const f64::ReliefMedium& medium, const Light& light);
+
+  /// Lists the crossings. The field must be padded, and outlive this object.
+  SweepThickness(const HeightField& field, const f64::ReliefMedium& medium, const Light& light);
+
+  /// Fills d (and r, where given) for the TileWidth x TileHeight samples from
+  /// (column * TileWidth, row * TileHeight) on; samples outside the image or without data get any
+  /// number.
+  void IlluminateTile(int column, int row, float* d, float* r, RayCount& count) const;
+
+  /// The instruction set in use, for reports.
+  static const char* GetTargetName();
+
+  // One cell that every ray runs through, by its offset from the ray's sample.
+  struct Cell
+  {
+    int x;
+    int y;
+    int exit;     // edge through which the ray leaves: 0 east, 1 west, 2 north, 3 south
+    float weight; // place of the exit on that edge, from its first sample to its second
+    float length; // of the ray in the cell
+    float rise;   // of the ray at the exit above its sample
+    float bend;   // what the patch's twist is multiplied by to give the quadratic's curvature
+  };
+
+  // Consecutive cells that are skipped or walked together.
+  struct Group
+  {
+    int begin;
+    int end;
+    int x0, x1, y0, y1; // offsets that its cells span
+    float riseIn;       // of the ray above its sample where it enters the first cell
+    float riseOut;      // and where it leaves the last
+    float length;
+    float distance; // of the entry along the ray
+  };
+
+  // What the loops read.
+  struct Plan
+  {
+    const HeightField* field;
+    f32::ReliefMedium medium;
+    std::vector<Cell> cells;
+    std::vector<Group> groups;
+    std::vector<Group> spans; // of SpanSize groups each
+    float dz;
+    float stepX; // length of the ray from one grid line to the next, infinite along the line
+  };
+  static constexpr int GroupSize = 4;
+  static constexpr int SpanSize = 4;
+
+private:
+  void FixLastLine(int column, int row, float* d, float* r, RayCount& count) const;
+
+  Plan Prepared;
+  Light Source;
+  bool AlongX;
+  bool AlongY;
+};
+
+}
+
+#endif
