@@ -488,13 +488,27 @@ RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int
 RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l)
 {
   real3 start = medium.offset == RELIEF_SURFACE_NORMAL ? -n : real3(0.0f, 0.0f, -1.0f);
-  real crossX = l.x != 0.0f ? -start.x / l.x : real(0.0f);
-  real crossY = l.y != 0.0f ? -start.y / l.y : real(0.0f);
+  real lx = ray.dx * reliefSpacingX(field); // l without what is rounding
+  real ly = ray.dy * reliefSpacingY(field);
+  real from = 0.0f;
+  if (medium.useFloor && medium.floorHeight >= ray.base)
+  {
+    // The floor lies above all that is near, or as high as the sample.
+    if (medium.floorHeight > ray.base || l.z <= 0.0f)
+    {
+      return 1.0f;
+    }
+    from = -start.z / l.z;
+  }
+  real crossX = lx != 0.0f ? -start.x / lx : real(0.0f);
+  real crossY = ly != 0.0f ? -start.y / ly : real(0.0f);
   real first = max(min(crossX, crossY), real(0.0f));
   real second = max(max(crossX, crossY), real(0.0f));
 
   real thickness = 0.0f;
   real s = 0.0f;
+  bool atStart = true;
+  real ground = 0.0f; // surface or held level at s
   for (int piece = 0; piece < 3; ++piece)
   {
     bool last = piece == 2;
@@ -505,37 +519,46 @@ RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, Reli
     }
     // A point inside the piece says over which of the four planes it runs.
     real middle = last ? s + 1.0f : (s + s1) / 2.0f;
-    int di = start.x + middle * l.x < 0.0f ? -1 : 1;
-    int dj = start.y + middle * l.y < 0.0f ? -1 : 1;
-    real gx = 0.0f;
-    real gy = 0.0f;
+    // A ray along a grid line runs over the cell after it, along the last line over the last cell.
+    real x = start.x + middle * lx;
+    real y = start.y + middle * ly;
+    int di = x < 0.0f || (x == 0.0f && ray.i == reliefColumns(field) - 1) ? -1 : 1;
+    int dj = y < 0.0f || (y == 0.0f && ray.j == reliefRows(field) - 1) ? -1 : 1;
     int i1 = ray.i + di;
     int j1 = ray.j + dj;
-    if (i1 >= 0 && i1 < reliefColumns(field) && j1 >= 0 && j1 < reliefRows(field))
+    real none = RELIEF_NAN;
+    bool hasColumn = i1 >= 0 && i1 < reliefColumns(field);
+    bool hasRow = j1 >= 0 && j1 < reliefRows(field);
+    real hx = hasColumn ? reliefHeight(field, i1, ray.j) - ray.base : none;
+    real hy = hasRow ? reliefHeight(field, ray.i, j1) - ray.base : none;
+    bool level = isnan(hx + hy) || isnan(reliefHeight(field, i1, j1));
+    real gx = isnan(hx) ? real(0.0f) : hx / (real(di) * reliefSpacingX(field));
+    real gy = isnan(hy) ? real(0.0f) : hy / (real(dj) * reliefSpacingY(field));
+    // Outside the image and in a hole the surface is held as high as it was, at the start as high as
+    // the corners that have data make it.
+    if (atStart || !level)
     {
-      real hx = reliefHeight(field, i1, ray.j) - ray.base;
-      real hy = reliefHeight(field, ray.i, j1) - ray.base;
-      if (!isnan(hx + hy + reliefHeight(field, i1, j1)))
-      {
-        gx = hx / (real(di) * reliefSpacingX(field));
-        gy = hy / (real(dj) * reliefSpacingY(field));
-      }
+      ground = gx * (start.x + s * lx) + gy * (start.y + s * ly);
     }
+    atStart = false;
+    real climb = level ? real(0.0f) : gx * lx + gy * ly;
     // The plane's height above the ray is linear along it: value and rate at this piece's start.
-    real above =
-      gx * (start.x + s * l.x) + gy * (start.y + s * l.y) - (start.z + s * l.z);
-    real rate = gx * l.x + gy * l.y - l.z;
+    real above = ground - (start.z + s * l.z);
+    real rate = climb - l.z;
     if (last)
     {
       if (rate > 0.0f || (rate == 0.0f && above > 0.0f))
       {
         return 0.0f;
       }
-      thickness += above > 0.0f ? above / -rate : real(0.0f);
+      real end = above > 0.0f ? s + above / -rate : s;
+      thickness += max(end - max(from, s), real(0.0f));
     }
     else
     {
-      thickness += (s1 - s) * reliefInsideShare(above, above + rate * (s1 - s), 0.0f);
+      thickness +=
+        reliefPatchLength(s, s1, above, above + rate * (s1 - s), real(0.0f), from, RELIEF_INFINITY);
+      ground += climb * (s1 - s);
       s = s1;
     }
   }
