@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ThicknessOracle_h
+#define ThicknessOracle_h
+
+/// @file
+/// The thickness of Documentation/Model.md by brute force, written from that page and from nothing
+/// of the module's own. A ray's crossings with every grid line are computed from absolute
+/// coordinates and sorted; each interval between two of them is told its cell by its midpoint; the
+/// surface above the ray is sampled at three points of the interval, which make the quadratic that
+/// it is there; the inside length is summed between the quadratic's roots. All in long double.
+
+#include "ReliefModel.h"
+#include "TestTerrain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace oracle
+{
+
+using Real = long double;
+constexpr Real Infinity = std::numeric_limits<Real>::infinity();
+
+/// A ray in grid coordinates (x / sx, y / sy) and in lengths along z; s is a length.
+struct Ray
+{
+  Real x = 0.0L; ///< start, in samples
+  Real y = 0.0L;
+  Real z = 0.0L;
+  Real stepX = 0.0L; ///< samples per length
+  Real stepY = 0.0L;
+  Real stepZ = 0.0L;
+  Real length = Infinity;
+  Real fallback = 0.0L; ///< surface where p' has no sample with data around it
+};
+
+/// A small change of what the model is given, by which the oracle tells how well-conditioned a
+/// thickness is.
+struct Nudge
+{
+  Real x = 0.0L;
+  Real y = 0.0L;
+  Real turn = 0.0L; ///< of the ray, about z, in radians
+  Real raise = 0.0L;
+  /// What is held after a ray has passed this close by a sample, in lengths: the lesser (tie < 0)
+  /// or the greater (tie > 0) of what was held and the sample's height. A ray through the corner
+  /// between two holes meets the two other cells there on no length at all, and which of them it is
+  /// told to have met, if any, is rounding's choice anew at every corner.
+  Real close = 0.0L;
+  int tie = 0;
+};
+
+/// Bilinear height at a place inside a cell whose corners all have data.
+inline Real Patch(const Terrain& terrain, int i, int j, Real x, Real y)
+{
+  Real u = x - i;
+  Real v = y - j;
+  return (1 - u) * (1 - v) * static_cast<Real>(terrain.At(i, j)) +
+    u * (1 - v) * static_cast<Real>(terrain.At(i + 1, j)) +
+    (1 - u) * v * static_cast<Real>(terrain.At(i, j + 1)) +
+    u * v * static_cast<Real>(terrain.At(i + 1, j + 1));
+}
+
+inline bool IsHole(const Terrain& terrain, int i, int j)
+{
+  return std::isnan(terrain.At(i, j)) || std::isnan(terrain.At(i + 1, j)) ||
+    std::isnan(terrain.At(i, j + 1)) || std::isnan(terrain.At(i + 1, j + 1));
+}
+
+/// The cell of a coordinate: the one after a grid line, the last one for the last line.
+inline int CellOf(Real x, int samples)
+{
+  return std::clamp(static_cast<int>(std::floor(x)), 0, std::max(samples - 2, 0));
+}
+
+/// Surface where a ray starts outside the image or in a hole: the bilinear height at the position
+/// clamped to the image, over the corners that have data.
+inline Real ClampedHeight(const Terrain& terrain, Real x, Real y, Real fallback)
+{
+  x = std::clamp(x, Real(0), Real(terrain.columns - 1));
+  y = std::clamp(y, Real(0), Real(terrain.rows - 1));
+  int i = CellOf(x, terrain.columns);
+  int j = CellOf(y, terrain.rows);
+  Real sum = 0;
+  Real weights = 0;
+  for (int cj = j; cj <= std::min(j + 1, terrain.rows - 1); ++cj)
+  {
+    for (int ci = i; ci <= std::min(i + 1, terrain.columns - 1); ++ci)
+    {
+      Real weight = (1 - std::abs(x - ci)) * (1 - std::abs(y - cj));
+      if (!std::isnan(terrain.At(ci, cj)) && weight > 0)
+      {
+        sum += weight * static_cast<Real>(terrain.At(ci, cj));
+        weights += weight;
+      }
+    }
+  }
+  return weights > 0 ? sum / weights : fallback;
+}
+
+/// Length of the part of [s0, s1] in which c0 + c1 s > 0.
+inline void ClipPositive(Real c0, Real c1, Real& s0, Real& s1)
+{
+  if (c1 == 0)
+  {
+    s1 = c0 > 0 ? s1 : s0;
+  }
+  else if (c1 > 0)
+  {
+    s0 = std::max(s0, -c0 / c1);
+  }
+  else
+  {
+    s1 = std::min(s1, -c0 / c1);
+  }
+  s1 = std::max(s0, s1);
+}
+
+/// Length of the part of [s0, s1] in which a quadratic is above 0, known by its values at s0, in
+/// the middle and at s1.
+inline Real PositiveLength(Real s0, Real s1, Real g0, Real gm, Real g1)
+{
+  Real a = 2 * (g0 + g1) - 4 * gm;
+  Real b = 4 * gm - 3 * g0 - g1;
+  std::vector<Real> cuts = { 0, 1 };
+  auto add = [&cuts](Real u)
+  {
+    if (u > 0 && u < 1)
+    {
+      cuts.push_back(u);
+    }
+  };
+  Real discriminant = b * b - 4 * a * g0;
+  if (discriminant >= 0)
+  {
+    Real q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
+    if (a != 0)
+    {
+      add(q / a);
+    }
+    if (q != 0)
+    {
+      add(g0 / q);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  Real share = 0;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+  {
+    Real middle = (cuts[k] + cuts[k + 1]) / 2;
+    share += (a * middle + b) * middle + g0 > 0 ? cuts[k + 1] - cuts[k] : 0;
+  }
+  return share * (s1 - s0);
+}
+
+/// r along a ray.
+inline Real Thickness(
+  const Terrain& terrain, const relief::f64::ReliefMedium& medium, Ray ray, const Nudge& nudge = {})
+{
+  ray.x += nudge.x;
+  ray.y += nudge.y;
+  Real alongX = ray.stepX * terrain.spacingX;
+  Real alongY = ray.stepY * terrain.spacingY;
+  ray.stepX = (alongX - nudge.turn * alongY) / terrain.spacingX;
+  ray.stepY = (alongY + nudge.turn * alongX) / terrain.spacingY;
+
+  // Where the ray meets grid lines.
+  std::vector<Real> cuts = { 0 };
+  auto cross = [&cuts, &ray](Real start, Real step, int lines)
+  {
+    for (int k = 0; step != 0 && k < lines; ++k)
+    {
+      Real s = (k - start) / step;
+      if (s > 0 && s < ray.length)
+      {
+        cuts.push_back(s);
+      }
+    }
+  };
+  cross(ray.x, ray.stepX, terrain.columns);
+  cross(ray.y, ray.stepY, terrain.rows);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.push_back(ray.length);
+
+  Real held = ClampedHeight(terrain, ray.x, ray.y, ray.fallback) + nudge.raise;
+  Real inside = 0;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+  {
+    Real s0 = cuts[k];
+    Real s1 = cuts[k + 1];
+    if (s1 <= s0)
+    {
+      continue;
+    }
+    Real middle = std::isinf(s1) ? s0 + 1 : (s0 + s1) / 2;
+    Real x = ray.x + middle * ray.stepX;
+    Real y = ray.y + middle * ray.stepY;
+    int i = CellOf(x, terrain.columns);
+    int j = CellOf(y, terrain.rows);
+    bool outside = x < 0 || y < 0 || x > terrain.columns - 1 || y > terrain.rows - 1 ||
+      terrain.columns < 2 || terrain.rows < 2;
+    int ni = std::clamp(static_cast<int>(std::lround(x)), 0, terrain.columns - 1);
+    int nj = std::clamp(static_cast<int>(std::lround(y)), 0, terrain.rows - 1);
+    if (nudge.tie != 0 && s1 - s0 <= nudge.close && !std::isnan(terrain.At(ni, nj)))
+    {
+      Real corner = terrain.At(ni, nj) + nudge.raise;
+      held = nudge.tie < 0 ? std::min(held, corner) : std::max(held, corner);
+      continue;
+    }
+    // A ray upright in a cell never leaves it; its surface is that of its start.
+    bool upright = ray.stepX == 0 && ray.stepY == 0;
+    bool level = outside || upright || IsHole(terrain, i, j);
+    auto height = [&](Real s)
+    {
+      return level
+        ? held
+        : Patch(terrain, i, j, ray.x + s * ray.stepX, ray.y + s * ray.stepY) + nudge.raise;
+    };
+    if (!level)
+    {
+      held = height(s1);
+    }
+
+    // Above the floor, then below the surface.
+    Real from = s0;
+    Real to = s1;
+    if (medium.useFloor)
+    {
+      ClipPositive(ray.z - static_cast<Real>(medium.floorHeight), ray.stepZ, from, to);
+    }
+    if (level)
+    {
+      ClipPositive(held - ray.z, -ray.stepZ, from, to);
+      inside += to > from ? to - from : 0;
+    }
+    else if (to > from)
+    {
+      Real half = (from + to) / 2;
+      inside += PositiveLength(from, to, height(from) - (ray.z + from * ray.stepZ),
+        height(half) - (ray.z + half * ray.stepZ), height(to) - (ray.z + to * ray.stepZ));
+    }
+  }
+  return inside;
+}
+
+/// d behind a thickness r, for t > 0.
+inline Real Illumination(const relief::f64::ReliefMedium& medium, Real r)
+{
+  Real t = medium.depth;
+  if (medium.attenuation == relief::f64::RELIEF_EXPONENTIAL)
+  {
+    return std::exp(-static_cast<Real>(medium.density) * std::max(r - t, Real(0)));
+  }
+  return r <= t ? 1 : t / r;
+}
+
+/// Surface normal by central differences, one-sided beside an edge or a hole, level where neither
+/// neighbour has data.
+inline glm::dvec3 Normal(const Terrain& terrain, int i, int j)
+{
+  auto slope = [](double before, double here, double after, double spacing)
+  {
+    double lo = std::isnan(before) ? here : before;
+    double hi = std::isnan(after) ? here : after;
+    int steps = (std::isnan(before) ? 0 : 1) + (std::isnan(after) ? 0 : 1);
+    return steps == 0 ? 0.0 : (hi - lo) / (steps * spacing);
+  };
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double here = terrain.At(i, j);
+  double x = slope(i > 0 ? terrain.At(i - 1, j) : none, here,
+    i + 1 < terrain.columns ? terrain.At(i + 1, j) : none, terrain.spacingX);
+  double y = slope(j > 0 ? terrain.At(i, j - 1) : none, here,
+    j + 1 < terrain.rows ? terrain.At(i, j + 1) : none, terrain.spacingY);
+  double length = std::sqrt(x * x + y * y + 1.0);
+  return glm::dvec3(-x / length, -y / length, 1.0 / length);
+}
+
+/// The ray of a sample: from p' = p - t n toward the light.
+inline Ray RayOf(const Terrain& terrain, const relief::f64::ReliefMedium& medium,
+  const relief::Light& light, int i, int j)
+{
+  glm::dvec3 n = medium.offset == relief::f64::RELIEF_SURFACE_NORMAL ? Normal(terrain, i, j)
+                                                                     : glm::dvec3(0.0, 0.0, 1.0);
+  Real t = medium.depth;
+  Real offset[3] = { -t * n.x, -t * n.y, -t * n.z };
+  Ray ray;
+  ray.fallback = terrain.At(i, j);
+  ray.x = i + offset[0] / terrain.spacingX;
+  ray.y = j + offset[1] / terrain.spacingY;
+  ray.z = terrain.At(i, j) + offset[2];
+  Real l[3] = { light.vector.x, light.vector.y, light.vector.z };
+  if (light.positional)
+  {
+    l[0] -= Real(i) * terrain.spacingX + offset[0];
+    l[1] -= Real(j) * terrain.spacingY + offset[1];
+    l[2] -= ray.z;
+    ray.length = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
+    for (Real& component : l)
+    {
+      component = ray.length > 0 ? component / ray.length : &component == &l[2] ? 1 : 0;
+    }
+  }
+  ray.stepX = l[0] / terrain.spacingX;
+  ray.stepY = l[1] / terrain.spacingY;
+  ray.stepZ = l[2];
+  return ray;
+}
+
+/// All the thicknesses that inputs within a distance of the given ones have: what a computation may
+/// answer whose rounding amounts to such a change of its input. The distance is a few units in the
+/// last place of what it computes with, so that where a thickness is well-conditioned this is a
+/// point; where a ray grazes the surface, runs along a grid line between cells with and without
+/// data or passes through the corner of a hole, it is not.
+struct Range
+{
+  Real lo = Infinity;
+  Real hi = -Infinity;
+};
+
+inline Range ThicknessRange(const Terrain& terrain, const relief::f64::ReliefMedium& medium,
+  const Ray& ray, Real distance, Real scale)
+{
+  Range range;
+  for (int k = 0; k < 162; ++k)
+  {
+    Nudge nudge;
+    nudge.x = (k % 3 - 1) * distance * terrain.columns;
+    nudge.y = (k / 3 % 3 - 1) * distance * terrain.rows;
+    nudge.turn = (k / 9 % 3 - 1) * distance;
+    nudge.raise = (k / 27 % 3 - 1) * distance * scale;
+    nudge.tie = k < 81 ? -1 : 1;
+    nudge.close = 4 * distance *
+      (terrain.columns * terrain.spacingX + terrain.rows * terrain.spacingY) /
+      std::hypot(ray.stepX * terrain.spacingX, ray.stepY * terrain.spacingY);
+    Real r = Thickness(terrain, medium, ray, nudge);
+    range.lo = std::min(range.lo, r);
+    range.hi = std::max(range.hi, r);
+  }
+  return range;
+}
+
+}
+
+#endif
