@@ -14,27 +14,25 @@ namespace relief
 namespace
 {
 
-// What one pass over the caller's values tells.
-struct Survey
+// Least and greatest height.
+struct Range
 {
   double lo = std::numeric_limits<double>::infinity();
   double hi = -std::numeric_limits<double>::infinity();
-  bool plain = true; // float samples can be used as they are
 
-  void Add(const Survey& other)
+  void Add(double low, double high)
   {
-    this->lo = std::min(this->lo, other.lo);
-    this->hi = std::max(this->hi, other.hi);
-    this->plain = this->plain && other.plain;
+    this->lo = low < this->lo ? low : this->lo;
+    this->hi = high > this->hi ? high : this->hi;
   }
 };
 
-// A sample's height as a length, NaN without data.
+// Turns a caller's rows into heights.
 template <class T>
-class SampleReader
+class RowReader
 {
 public:
-  explicit SampleReader(const HeightSource<T>& source)
+  explicit RowReader(const HeightSource<T>& source)
     : Source(source)
     , NoData(static_cast<T>(0))
     , HasNoData(source.hasNoData)
@@ -57,25 +55,64 @@ public:
     }
   }
 
-  double Height(int i, int j) const
+  // Heights as lengths above the datum, NaN without data. Real is double where float may not do.
+  template <class Real>
+  void Read(int j, double datum, Real* row) const
   {
-    T value = this->Source.data[i * this->Source.stepX + j * this->Source.stepY];
-    bool missing = (this->HasNoData && value == this->NoData) ||
-      (this->Source.hasData && !this->Source.hasData(i, j));
+    const T* values = this->Source.data + j * this->Source.stepY;
+    const std::ptrdiff_t step = this->Source.stepX;
+    const int columns = this->Source.columns;
+    const double scale = this->Source.scale;
+    if (step == 1)
+    {
+      for (int i = 0; i < columns; ++i)
+      {
+        row[i] = static_cast<Real>(static_cast<double>(values[i]) * scale - datum);
+      }
+    }
+    else
+    {
+      for (int i = 0; i < columns; ++i)
+      {
+        row[i] = static_cast<Real>(static_cast<double>(values[i * step]) * scale - datum);
+      }
+    }
+    const Real none = std::numeric_limits<Real>::quiet_NaN();
     if constexpr (std::is_floating_point_v<T>)
     {
-      missing = missing || !std::isfinite(value);
+      for (int i = 0; i < columns; ++i)
+      {
+        // False for NaN.
+        bool finite = std::abs(values[i * step]) <= std::numeric_limits<T>::max();
+        row[i] = finite ? row[i] : none;
+      }
     }
-    return missing ? std::numeric_limits<double>::quiet_NaN()
-                   : static_cast<double>(value) * this->Source.scale;
+    if (this->HasNoData)
+    {
+      for (int i = 0; i < columns; ++i)
+      {
+        row[i] = values[i * step] == this->NoData ? none : row[i];
+      }
+    }
+    if (this->Source.hasData)
+    {
+      for (int i = 0; i < columns; ++i)
+      {
+        row[i] = this->Source.hasData(i, j) ? row[i] : none;
+      }
+    }
   }
 
-  /// Whether the caller's own value says all that Height() says.
-  bool IsPlain(double height, int i, int j) const
+  // Whether float values can be used as they stand: nothing to change and no infinity among them.
+  bool IsPlain(const float* row, int j) const
   {
-    return !std::isnan(height) ||
-      std::isnan(
-        static_cast<double>(this->Source.data[i * this->Source.stepX + j * this->Source.stepY]));
+    bool plain = this->Source.scale == 1.0 && !this->HasNoData && !this->Source.hasData;
+    const T* values = this->Source.data + j * this->Source.stepY;
+    for (int i = 0; plain && i < this->Source.columns; ++i)
+    {
+      plain = !std::isnan(row[i]) || values[i * this->Source.stepX] != values[i * this->Source.stepX];
+    }
+    return plain;
   }
 
 private:
@@ -84,93 +121,124 @@ private:
   bool HasNoData;
 };
 
+template <class Real>
+void AddToRange(const Real* row, int columns, Range& range)
+{
+  Real lo = std::numeric_limits<Real>::infinity();
+  Real hi = -lo;
+  for (int i = 0; i < columns; ++i)
+  {
+    lo = row[i] < lo ? row[i] : lo;
+    hi = row[i] > hi ? row[i] : hi;
+  }
+  range.Add(lo, hi);
+}
+
 }
 
 template <class T>
 std::string HeightField::Assign(
   const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded)
 {
-  SampleReader<T> reader(source);
-  Survey survey;
-  std::mutex mutex;
-  parallelFor(source.rows,
-    [&](int begin, int end)
-    {
-      Survey part;
-      for (int j = begin; j < end; ++j)
-      {
-        for (int i = 0; i < source.columns; ++i)
-        {
-          double height = reader.Height(i, j);
-          part.lo = height < part.lo ? height : part.lo;
-          part.hi = height > part.hi ? height : part.hi;
-          part.plain = part.plain && reader.IsPlain(height, i, j);
-        }
-      }
-      std::lock_guard<std::mutex> lock(mutex);
-      survey.Add(part);
-    });
-
-  bool hasData = survey.hi >= survey.lo;
-  this->Datum = 0.0;
-  if (hasData)
-  {
-    double largest = std::max(std::abs(survey.lo), std::abs(survey.hi));
-    if (largest > std::numeric_limits<float>::max())
-    {
-      std::ostringstream message;
-      message << "heights reach from " << survey.lo << " to " << survey.hi
-              << ", numbers within single precision (3.4e38) are expected";
-      return message.str();
-    }
-    // Float input has no more digits to keep.
-    if (!std::is_same_v<T, float> && largest > 64.0 * (survey.hi - survey.lo))
-    {
-      this->Datum = survey.lo + (survey.hi - survey.lo) / 2.0;
-    }
-  }
-  this->Bottom = static_cast<float>(survey.lo - this->Datum);
-  this->Top = static_cast<float>(survey.hi - this->Datum);
-
+  const RowReader<T> reader(source);
+  const float none = std::numeric_limits<float>::quiet_NaN();
   HeightView<float>& view = this->Prepared.heights;
   view.columns = source.columns;
   view.rows = source.rows;
   view.spacingX = source.spacingX;
   view.spacingY = source.spacingY;
   this->MissingRow = nullptr;
+  std::mutex mutex;
+
   bool inPlace = false;
   if constexpr (std::is_same_v<T, float>)
   {
-    inPlace = !padded && survey.plain && source.scale == 1.0;
-    if (inPlace)
+    if (!padded)
     {
-      this->Copy = std::vector<float>();
-      view.data = source.data;
-      view.stepX = source.stepX;
-      view.stepY = source.stepY;
+      Range range;
+      inPlace = true;
+      parallelFor(source.rows, [&](int begin, int end) {
+        std::vector<float> row(source.columns);
+        Range part;
+        bool plain = true;
+        for (int j = begin; j < end && plain; ++j)
+        {
+          reader.Read(j, 0.0, row.data());
+          plain = reader.IsPlain(row.data(), j);
+          AddToRange(row.data(), source.columns, part);
+        }
+        std::lock_guard<std::mutex> lock(mutex);
+        inPlace = inPlace && plain;
+        range.Add(part.lo, part.hi);
+      });
+      if (inPlace)
+      {
+        this->Copy = std::vector<float>();
+        this->Datum = 0.0;
+        this->Bottom = static_cast<float>(range.lo);
+        this->Top = static_cast<float>(range.hi);
+        view.data = source.data;
+        view.stepX = source.stepX;
+        view.stepY = source.stepY;
+      }
     }
   }
+
   if (!inPlace)
   {
-    const float none = std::numeric_limits<float>::quiet_NaN();
     const int margin = padded ? Padding : 0;
     const std::size_t pitch = static_cast<std::size_t>(source.columns) + 2 * margin;
     this->Copy.resize(pitch * (static_cast<std::size_t>(source.rows) + (padded ? 1 : 0)));
     float* first = this->Copy.data() + margin;
-    parallelFor(source.rows,
-      [&](int begin, int end)
-      {
+
+    auto copy = [&](double datum) {
+      Range range;
+      parallelFor(source.rows, [&](int begin, int end) {
+        Range part;
         for (int j = begin; j < end; ++j)
         {
           float* row = first + static_cast<std::size_t>(j) * pitch;
           std::fill_n(row - margin, margin, none);
-          for (int i = 0; i < source.columns; ++i)
-          {
-            row[i] = static_cast<float>(reader.Height(i, j) - this->Datum);
-          }
+          reader.Read(j, datum, row);
           std::fill_n(row + source.columns, margin, none);
+          AddToRange(row, source.columns, part);
         }
+        std::lock_guard<std::mutex> lock(mutex);
+        range.Add(part.lo, part.hi);
       });
+      return range;
+    };
+    auto exactRange = [&]() {
+      Range range;
+      std::vector<double> row(source.columns);
+      for (int j = 0; j < source.rows; ++j)
+      {
+        reader.Read(j, 0.0, row.data());
+        AddToRange(row.data(), source.columns, range);
+      }
+      return range;
+    };
+    this->Datum = 0.0;
+    Range range = copy(0.0);
+    const double largest = std::max(std::abs(range.lo), std::abs(range.hi));
+    const bool hasData = range.hi >= range.lo;
+    // Float input has no more digits to keep.
+    if (hasData && !std::is_same_v<T, float> && largest > 64.0 * (range.hi - range.lo))
+    {
+      const Range exact = exactRange();
+      this->Datum = exact.lo + (exact.hi - exact.lo) / 2.0;
+      range = copy(this->Datum);
+    }
+    if (hasData && (std::isinf(range.lo) || std::isinf(range.hi)))
+    {
+      const Range exact = exactRange();
+      std::ostringstream message;
+      message << "heights reach from " << exact.lo << " to " << exact.hi
+              << ", numbers within single precision (3.4e38) are expected";
+      return message.str();
+    }
+    this->Bottom = static_cast<float>(range.lo);
+    this->Top = static_cast<float>(range.hi);
     if (padded)
     {
       float* missing = first + static_cast<std::size_t>(source.rows) * pitch;

@@ -15,7 +15,7 @@ static_assert(MinMaxPyramid::BlockSize == 1 << f32::RELIEF_BLOCK_SHIFT);
 namespace
 {
 constexpr float Infinity = std::numeric_limits<float>::infinity();
-constexpr MinMaxPyramid::Bounds Mixed{ -Infinity, Infinity };
+constexpr MinMaxPyramid::Bounds Mixed{ -Infinity, Infinity, Infinity };
 
 bool IsEmpty(const MinMaxPyramid::Bounds& b)
 {
@@ -25,6 +25,60 @@ bool IsEmpty(const MinMaxPyramid::Bounds& b)
 bool IsMixed(const MinMaxPyramid::Bounds& b)
 {
   return b.lo == -Infinity;
+}
+
+void AddRow(int columns, const float* __restrict row, const float* __restrict below,
+  std::ptrdiff_t step, float* __restrict lo, float* __restrict hi, float* __restrict sum,
+  float* __restrict twist)
+{
+  if (step != 1)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      float height = row[i * step];
+      sum[i] += height;
+      lo[i] = height < lo[i] ? height : lo[i];
+      hi[i] = height > hi[i] ? height : hi[i];
+    }
+    for (int i = 0; i + 1 < columns; ++i)
+    {
+      float t =
+        std::abs((row[(i + 1) * step] - row[i * step]) - (below[(i + 1) * step] - below[i * step]));
+      twist[i] = t > twist[i] ? t : twist[i];
+    }
+    return;
+  }
+  for (int i = 0; i < columns; ++i)
+  {
+    sum[i] += row[i];
+    lo[i] = row[i] < lo[i] ? row[i] : lo[i];
+    hi[i] = row[i] > hi[i] ? row[i] : hi[i];
+  }
+  for (int i = 0; i + 1 < columns; ++i)
+  {
+    float t = std::abs((row[i + 1] - row[i]) - (below[i + 1] - below[i]));
+    twist[i] = t > twist[i] ? t : twist[i];
+  }
+}
+
+// Bounds of a block in which a sample seems to have no data. Where only the sum of huge heights was not a
+// number, those found hold.
+MinMaxPyramid::Bounds HoleBounds(const HeightView<float>& heights, int i0, int i1, int j0, int j1,
+  const MinMaxPyramid::Bounds& found)
+{
+  bool anyHole = false;
+  bool anyCell = false;
+  for (int j = j0; j < j1; ++j)
+  {
+    for (int i = i0; i < i1; ++i)
+    {
+      bool hole = std::isnan(heights.At(i, j)) || std::isnan(heights.At(i + 1, j)) ||
+        std::isnan(heights.At(i, j + 1)) || std::isnan(heights.At(i + 1, j + 1));
+      anyHole = anyHole || hole;
+      anyCell = anyCell || !hole;
+    }
+  }
+  return !anyHole ? found : anyCell ? Mixed : MinMaxPyramid::Bounds();
 }
 }
 
@@ -53,41 +107,46 @@ void MinMaxPyramid::Allocate(int columns, int rows)
 
 void MinMaxPyramid::BuildBase(const HeightView<float>& heights, int begin, int end)
 {
+  // Down the columns first, whole rows at a time, which the compiler makes vectors of; then along.
+  const int columns = heights.columns;
+  const std::ptrdiff_t step = heights.stepX;
+  std::vector<float> lo(columns);
+  std::vector<float> hi(columns);
+  std::vector<float> sum(columns); // NaN where any is
+  std::vector<float> twist(columns);
   Level& level = this->Levels[0];
   for (int bj = begin; bj < end; ++bj)
   {
-    int j0 = bj * BlockSize;
-    int j1 = std::min(j0 + BlockSize, heights.rows - 1);
+    const int j0 = bj * BlockSize;
+    const int j1 = std::min(j0 + BlockSize, heights.rows - 1);
+    const float* row = heights.data + j0 * heights.stepY;
+    for (int i = 0; i < columns; ++i)
+    {
+      lo[i] = hi[i] = sum[i] = row[i * step];
+      twist[i] = 0.0f;
+    }
+    for (int j = j0 + 1; j <= j1; ++j)
+    {
+      const float* below = heights.data + (j - 1) * heights.stepY;
+      row = heights.data + j * heights.stepY;
+      AddRow(columns, row, below, step, lo.data(), hi.data(), sum.data(), twist.data());
+    }
     for (int bi = 0; bi < level.columns; ++bi)
     {
-      int i0 = bi * BlockSize;
-      int i1 = std::min(i0 + BlockSize, heights.columns - 1);
+      const int i0 = bi * BlockSize;
+      const int i1 = std::min(i0 + BlockSize, columns - 1);
       Bounds bounds;
-      int missing = 0;
-      for (int j = j0; j <= j1; ++j)
+      float all = 0.0f;
+      for (int i = i0; i <= i1; ++i)
       {
-        for (int i = i0; i <= i1; ++i)
-        {
-          float height = heights.At(i, j);
-          missing += std::isnan(height) ? 1 : 0;
-          bounds.lo = height < bounds.lo ? height : bounds.lo;
-          bounds.hi = height > bounds.hi ? height : bounds.hi;
-        }
+        all += sum[i];
+        bounds.lo = std::min(bounds.lo, lo[i]);
+        bounds.hi = std::max(bounds.hi, hi[i]);
+        bounds.twist = i < i1 ? std::max(bounds.twist, twist[i]) : bounds.twist;
       }
-      if (missing > 0)
+      if (std::isnan(all))
       {
-        // Rare: find out whether any cell is whole.
-        bool anyCell = false;
-        for (int j = j0; j < j1; ++j)
-        {
-          for (int i = i0; i < i1; ++i)
-          {
-            anyCell = anyCell ||
-              !std::isnan(heights.At(i, j) + heights.At(i + 1, j) + heights.At(i, j + 1) +
-                heights.At(i + 1, j + 1));
-          }
-        }
-        bounds = anyCell ? Mixed : Bounds();
+        bounds = HoleBounds(heights, i0, i1, j0, j1, bounds);
       }
       level.blocks[static_cast<std::size_t>(bj) * level.columns + bi] = bounds;
     }
@@ -118,6 +177,7 @@ void MinMaxPyramid::BuildUpper()
             mixed = mixed || IsMixed(child);
             bounds.lo = std::min(bounds.lo, child.lo);
             bounds.hi = std::max(bounds.hi, child.hi);
+            bounds.twist = std::max(bounds.twist, child.twist);
           }
         }
         if (mixed || (empty > 0 && empty < children))

@@ -26,6 +26,7 @@ public:
   {
     float lo = std::numeric_limits<float>::infinity();
     float hi = -std::numeric_limits<float>::infinity();
+    float twist = 0.0f; ///< largest |h11 - h10 - h01 + h00| of its whole cells
   };
 
   static constexpr int BlockSize = 4;

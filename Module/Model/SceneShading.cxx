@@ -23,15 +23,49 @@ f32::ReliefFalloff ToSingle(const f64::ReliefFalloff& falloff)
     static_cast<float>(falloff.power) };
 }
 
-void Store(float* layer, std::size_t at, const glm::vec3& value)
+// 8-bit codes of linear values, the same as rounding reliefEncode(): every code's range begins
+// where the curve passes half a code below it, and a table says from which code to look.
+class CodeTable
 {
-  if (layer)
+public:
+  CodeTable()
   {
-    layer[3 * at] = value.x;
-    layer[3 * at + 1] = value.y;
-    layer[3 * at + 2] = value.z;
+    this->Begin[0] = 0.0f;
+    for (int code = 1; code < 256; ++code)
+    {
+      const double e = (code - 0.5) / 255.0;
+      this->Begin[code] =
+        static_cast<float>(e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4));
+    }
+    this->Begin[256] = std::numeric_limits<float>::infinity();
+    int code = 0;
+    for (int k = 0; k <= Steps; ++k)
+    {
+      const float linear = static_cast<float>(k) / Steps;
+      while (linear >= this->Begin[code + 1])
+      {
+        ++code;
+      }
+      this->First[k] = static_cast<unsigned char>(code);
+    }
   }
-}
+
+  unsigned char operator()(float linear) const
+  {
+    const float c = linear > 0.0f ? std::min(linear, 1.0f) : 0.0f; // NaN too
+    int code = this->First[static_cast<int>(c * Steps)];
+    while (c >= this->Begin[code + 1])
+    {
+      ++code;
+    }
+    return static_cast<unsigned char>(code);
+  }
+
+private:
+  static constexpr int Steps = 4096;
+  float Begin[257];
+  unsigned char First[Steps + 1];
+};
 }
 
 // Sums and intermediate results of a tile, and the part of it that is asked for.
@@ -40,6 +74,7 @@ struct SceneShading::Tile
   int column; // of the tile
   int row;
   int i0, i1, j0, j1;
+  bool anyData;
 
   static constexpr int Width = SweepThickness::TileWidth;
   static constexpr int Size = SweepThickness::TileSize;
@@ -166,14 +201,21 @@ void SceneShading::Shade(int i0, int i1, int j0, int j1)
 
 void SceneShading::ShadeTile(Tile& tile)
 {
+  tile.anyData = false;
   tile.ForEach(
     [&](int i, int j, int at)
     {
-      tile.hasData[at] = !std::isnan(this->Heights.heights.At(i, j));
-      tile.diffuse[at] = tile.scatter[at] = tile.specular[at] = glm::vec3(0.0f);
-      tile.illumination[at] = 0.0f;
-      tile.thickness[at] = 0.0f;
+      const bool hasData = !std::isnan(this->Heights.heights.At(i, j));
+      tile.hasData[at] = hasData;
+      tile.anyData |= hasData;
     });
+  const bool hasScatter = this->HasScatter;
+  const bool hasSpecular = (this->Effects & SpecularEffect) != 0;
+  std::fill_n(tile.diffuse, Tile::Size, glm::vec3(0.0f));
+  std::fill_n(tile.scatter, hasScatter ? Tile::Size : 0, glm::vec3(0.0f));
+  std::fill_n(tile.specular, hasSpecular ? Tile::Size : 0, glm::vec3(0.0f));
+  std::fill_n(tile.illumination, this->Out.illumination ? Tile::Size : 0, 0.0f);
+  std::fill_n(tile.thickness, this->Out.thickness ? Tile::Size : 0, 0.0f);
   if (this->HasNormals)
   {
     tile.ForEach(
@@ -183,7 +225,7 @@ void SceneShading::ShadeTile(Tile& tile)
           tile.hasData[at] ? f32::reliefNormal(this->Heights, i, j) : glm::vec3(0.0f);
       });
   }
-  for (std::size_t index = 0; index < this->Plans.size(); ++index)
+  for (std::size_t index = 0; tile.anyData && index < this->Plans.size(); ++index)
   {
     const Plan& plan = this->Plans[index];
     if (plan.shows || plan.needsD)
@@ -240,21 +282,15 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
   const glm::vec3 specular(this->Parameters.specular);
   const bool hasSpecular = (this->Effects & SpecularEffect) && plan.shows;
   const bool hasScatter = this->HasScatter && plan.shows;
-
-  // Directions, and with them forward scattering, which can tell that d does not show.
   const HeightView<float>& heights = this->Heights.heights;
-  const bool everyD = plan.thickness || this->Out.illumination || kf < 1.0f;
-  bool anyWanted = false;
-  tile.ForEach(
-    [&](int i, int j, int at)
-    {
-      tile.wanted[at] = plan.trace && tile.hasData[at];
-      tile.d[at] = 0.0f;
-      tile.r[at] = std::numeric_limits<float>::infinity();
-      if (tile.hasData[at] && (hasSpecular || hasScatter))
+
+  if (hasSpecular || hasScatter)
+  {
+    tile.ForEach(
+      [&](int i, int j, int at)
       {
         tile.toLight[at] = plan.vector;
-        if (!plan.directional)
+        if (!plan.directional && tile.hasData[at])
         {
           f32::reliefRay(this->Heights, this->Medium, i, j, tile.normals[at],
             LightFrom<float>(plan.light, i * heights.spacingX, j * heights.spacingY), true,
@@ -264,65 +300,92 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
         {
           tile.scatterFactor[at] =
             f32::reliefForwardScatter(this->ScatterFalloff, tile.toLight[at]);
-          tile.wanted[at] = tile.wanted[at] && (everyD || tile.scatterFactor[at] > 0.0f);
         }
-      }
-      anyWanted = anyWanted || tile.wanted[at];
-    });
+      });
+  }
 
-  if (anyWanted)
+  // Where all the light is scattered forward and none comes this way, d does not show.
+  const bool everyD = plan.thickness || this->Out.illumination || kf < 1.0f;
+  bool anyWanted = false;
+  tile.ForEach(
+    [&](int, int, int at)
+    {
+      tile.wanted[at] = tile.hasData[at] && (everyD || tile.scatterFactor[at] > 0.0f);
+      anyWanted |= tile.wanted[at] != 0;
+    });
+  if (!plan.trace || !anyWanted || !plan.sweep)
+  {
+    std::fill_n(tile.d, Tile::Size, 0.0f);
+    std::fill_n(tile.r, Tile::Size, std::numeric_limits<float>::infinity());
+  }
+  if (plan.trace && anyWanted)
   {
     this->Illuminate(plan, index, tile);
   }
 
-  tile.ForEach(
-    [&](int, int, int at)
-    {
-      if (!tile.hasData[at])
-      {
-        return;
-      }
-      if (plan.thickness)
-      {
-        tile.thickness[at] = tile.r[at];
-      }
-      if (this->Out.illumination)
-      {
-        tile.illumination[at] += plan.share * tile.d[at];
-      }
-      if (!plan.shows)
-      {
-        return;
-      }
-      tile.diffuse[at] += f32::reliefDiffuseTerm(ks, kf, tile.d[at], plan.radiance, diffuse);
-      if (hasScatter)
+  if (plan.thickness)
+  {
+    std::copy_n(tile.r, Tile::Size, tile.thickness);
+  }
+  if (this->Out.illumination)
+  {
+    tile.ForEach([&](int, int, int at) { tile.illumination[at] += plan.share * tile.d[at]; });
+  }
+  if (!plan.shows)
+  {
+    return;
+  }
+  const glm::vec3 full = f32::reliefDiffuseTerm(ks, kf, 1.0f, plan.radiance, diffuse);
+  tile.ForEach([&](int, int, int at) { tile.diffuse[at] += tile.d[at] * full; });
+  if (hasScatter)
+  {
+    tile.ForEach(
+      [&](int, int, int at)
       {
         tile.scatter[at] += f32::reliefScatterTerm(
           ks, kf, tile.scatterFactor[at], tile.d[at], plan.radiance, diffuse);
-      }
-      if (hasSpecular)
+      });
+  }
+  if (hasSpecular)
+  {
+    tile.ForEach(
+      [&](int, int, int at)
       {
         float s = f32::reliefSpecularity(this->SpecularFalloff, tile.normals[at], tile.toLight[at]);
         tile.specular[at] += f32::reliefSpecularTerm(ks, s, plan.radiance, specular);
-      }
-    });
+      });
+  }
 }
 
 void SceneShading::Write(const Tile& tile)
 {
+  static const CodeTable codes;
   const Target& out = this->Out;
   const float none = std::numeric_limits<float>::quiet_NaN();
+  const glm::vec3 missing(none);
   const glm::vec3 base = f32::reliefBaseTerm(
     static_cast<float>(this->Parameters.specularCoefficient), glm::vec3(this->Parameters.base));
+  const bool hasScatter = this->HasScatter;
+  const bool hasSpecular = (this->Effects & SpecularEffect) != 0;
+  auto place = [&](int i, int j)
+  { return static_cast<std::size_t>(j - out.j0) * out.width + (i - out.i0); };
+
   tile.ForEach(
-    [&](int i, int j, int k)
+    [&](int i, int j, int at)
     {
-      std::size_t at = static_cast<std::size_t>(j - out.j0) * out.width + (i - out.i0);
-      bool hasData = tile.hasData[k] != 0;
-      glm::vec3 color = base + tile.diffuse[k] + tile.scatter[k] + tile.specular[k];
+      glm::vec3 color = base + tile.diffuse[at];
+      if (hasScatter)
+      {
+        color += tile.scatter[at];
+      }
+      if (hasSpecular)
+      {
+        color += tile.specular[at];
+      }
+      const bool hasData = tile.hasData[at] != 0;
       if (out.rgba)
       {
-        float* rgba = out.rgba + 4 * at;
+        float* rgba = out.rgba + 4 * place(i, j);
         rgba[0] = hasData ? color.x : 0.0f;
         rgba[1] = hasData ? color.y : 0.0f;
         rgba[2] = hasData ? color.z : 0.0f;
@@ -330,29 +393,42 @@ void SceneShading::Write(const Tile& tile)
       }
       if (out.rgba8)
       {
-        unsigned char* rgba = out.rgba8 + 4 * at;
-        for (int c = 0; c < 3; ++c)
-        {
-          rgba[c] =
-            hasData ? static_cast<unsigned char>(f32::reliefEncode(color[c]) * 255.0f + 0.5f) : 0;
-        }
+        unsigned char* rgba = out.rgba8 + 4 * place(i, j);
+        rgba[0] = hasData ? codes(color.x) : 0;
+        rgba[1] = hasData ? codes(color.y) : 0;
+        rgba[2] = hasData ? codes(color.z) : 0;
         rgba[3] = hasData ? 255 : 0;
       }
-      if (out.illumination)
-      {
-        float mean = this->ShareSum != 0.0f ? tile.illumination[k] / this->ShareSum : 0.0f;
-        out.illumination[at] = hasData ? mean : none;
-      }
-      if (out.thickness)
-      {
-        out.thickness[at] = hasData ? tile.thickness[k] : none;
-      }
-      Store(out.normals, at, hasData ? tile.normals[k] : glm::vec3(none));
-      Store(out.base, at, hasData ? base : glm::vec3(none));
-      Store(out.diffuse, at, hasData ? tile.diffuse[k] : glm::vec3(none));
-      Store(out.scatter, at, hasData ? tile.scatter[k] : glm::vec3(none));
-      Store(out.specular, at, hasData ? tile.specular[k] : glm::vec3(none));
     });
+
+  const float scale = this->ShareSum != 0.0f ? 1.0f / this->ShareSum : 0.0f;
+  auto writeNumbers = [&](float* layer, const float* values, float factor)
+  {
+    if (layer)
+    {
+      tile.ForEach([&](int i, int j, int at)
+        { layer[place(i, j)] = tile.hasData[at] ? values[at] * factor : none; });
+    }
+  };
+  auto writeVectors = [&](float* layer, const glm::vec3* values, const glm::vec3& otherwise)
+  {
+    if (layer)
+    {
+      tile.ForEach(
+        [&](int i, int j, int at)
+        {
+          const glm::vec3 value = !tile.hasData[at] ? missing : values ? values[at] : otherwise;
+          std::copy_n(&value.x, 3, layer + 3 * place(i, j));
+        });
+    }
+  };
+  writeNumbers(out.illumination, tile.illumination, scale);
+  writeNumbers(out.thickness, tile.thickness, 1.0f);
+  writeVectors(out.normals, tile.normals, missing);
+  writeVectors(out.base, nullptr, base);
+  writeVectors(out.diffuse, tile.diffuse, missing);
+  writeVectors(out.scatter, hasScatter ? tile.scatter : nullptr, glm::vec3(0.0f));
+  writeVectors(out.specular, hasSpecular ? tile.specular : nullptr, glm::vec3(0.0f));
 }
 
 int SceneShading::GetLightsTraced() const

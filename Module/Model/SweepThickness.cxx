@@ -69,9 +69,12 @@ struct Rows
   }
 };
 
-// A tile's state at the grid line that its rays crossed last.
+// A tile of samples, and its state at the grid line that its rays crossed last.
 struct Tile
 {
+  int x0; // the first sample
+  int y0;
+  int rows;                                            // of samples in the image
   HWY_ALIGN float base[SweepThickness::TileSize];      // the samples' own heights
   HWY_ALIGN float surface[SweepThickness::TileSize];   // the surface's height at the crossing
   HWY_ALIGN float ground[SweepThickness::TileSize];    // that, or the height held across a hole
@@ -79,84 +82,69 @@ struct Tile
   HWY_ALIGN float rest[SweepThickness::TileSize];
 };
 
-HWY_INLINE Vector EdgeHeight(
-  Tag tag, int edge, float weight, Vector h00, Vector h10, Vector h01, Vector h11)
+HWY_INLINE Vector Interpolate(Tag tag, Vector first, Vector second, float weight)
 {
-  Vector first = h10;
-  Vector second = h11;
-  switch (edge)
-  {
-    case 1:
-      first = h00;
-      second = h01;
-      break;
-    case 2:
-      first = h01;
-      break;
-    case 3:
-      first = h00;
-      second = h10;
-      break;
-    default:
-      break;
-  }
-  return hn::Add(first, hn::Mul(hn::Sub(second, first), hn::Set(tag, weight)));
+  return hn::MulAdd(hn::Sub(second, first), hn::Set(tag, weight), first);
 }
 
-// Walks the cells [begin, end) with every ray of a tile; riseIn is the rays' rise where they enter.
-void WalkCells(const SweepThickness::Plan& plan, const Rows& rows, int x0, int y0, int begin,
-  int end, float riseIn, Tile& tile)
+HWY_INLINE Vector Twist(Tag tag, const float* lower, const float* upper)
+{
+  return hn::Sub(hn::Sub(hn::LoadU(tag, upper + 1), hn::LoadU(tag, lower + 1)),
+    hn::Sub(hn::LoadU(tag, upper), hn::LoadU(tag, lower)));
+}
+
+// Walks a group's cells with every ray of a tile.
+void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
+  const SweepThickness::Group& group, Tile& tile)
 {
   const Tag tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const Vector zero = hn::Zero(tag);
-  for (int row = 0; row < SweepThickness::TileHeight; ++row)
+  for (int row = 0; row < tile.rows; ++row)
   {
     for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
     {
       const int at = row * SweepThickness::TileWidth + column;
+      const int x = tile.x0 + column;
+      const int y = tile.y0 + row;
       const Vector base = hn::Load(tag, tile.base + at);
       Vector surface = hn::Load(tag, tile.surface + at);
       Vector ground = hn::Load(tag, tile.ground + at);
       Vector thickness = hn::Load(tag, tile.thickness + at);
-      float rise = riseIn;
-      for (int k = begin; k < end; ++k)
+      Vector rise = hn::Set(tag, group.riseIn);
+      for (int k = group.begin; k < group.end; ++k)
       {
         const SweepThickness::Cell& cell = plan.cells[k];
-        const float* lower = rows(y0 + row + cell.y) + (x0 + column + cell.x);
-        const float* upper = rows(y0 + row + cell.y + 1) + (x0 + column + cell.x);
-        const Vector h00 = hn::LoadU(tag, lower);
-        const Vector h10 = hn::LoadU(tag, lower + 1);
-        const Vector h01 = hn::LoadU(tag, upper);
-        const Vector h11 = hn::LoadU(tag, upper + 1);
-        const Vector twist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
-        const Vector next = EdgeHeight(tag, cell.exit, cell.weight, h00, h10, h01, h11);
+        const Vector twist =
+          Twist(tag, rows(y + cell.y) + x + cell.x, rows(y + cell.y + 1) + x + cell.x);
+        const Vector next =
+          Interpolate(tag, hn::LoadU(tag, rows(y + cell.firstY) + x + cell.firstX),
+            hn::LoadU(tag, rows(y + cell.secondY) + x + cell.secondX), cell.weight);
 
         // Across a hole the ground stays where it was. Out of a hole it jumps to the surface.
         const Mask hole = hn::IsNaN(twist);
         const Vector from = hn::IfThenElse(hole, ground, surface);
         ground = hn::IfThenElse(hole, ground, next);
         surface = next;
-        const Vector a = hn::Sub(hn::Sub(from, base), hn::Set(tag, rise));
-        rise = cell.rise;
-        const Vector b = hn::Sub(hn::Sub(ground, base), hn::Set(tag, rise));
+        const Vector a = hn::Sub(hn::Sub(from, base), rise);
+        rise = hn::Set(tag, cell.rise);
+        const Vector b = hn::Sub(hn::Sub(ground, base), rise);
         const Vector c = hn::IfThenZeroElse(hole, hn::Mul(twist, hn::Set(tag, cell.bend)));
 
         const Vector length = hn::Set(tag, cell.length);
         const Mask aInside = hn::Gt(a, zero);
-        const Mask bInside = hn::Gt(b, zero);
         // A turning point reaches zero only if the bow, a quarter of c deep, is deeper than the
         // ends are far.
-        const Vector depth = hn::Abs(hn::Mul(c, hn::Set(tag, 0.25f)));
+        const Vector bow = hn::Abs(hn::Mul(c, hn::Set(tag, 0.25f)));
         const Mask crosses =
-          hn::Or(hn::Xor(aInside, bInside), hn::Ge(depth, hn::Min(hn::Abs(a), hn::Abs(b))));
+          hn::Or(hn::Xor(aInside, hn::Gt(b, zero)), hn::Ge(bow, hn::Min(hn::Abs(a), hn::Abs(b))));
         if (HWY_LIKELY(hn::AllFalse(tag, crosses)))
         {
           thickness = hn::Add(thickness, hn::IfThenElseZero(aInside, length));
         }
         else
         {
-          thickness = hn::Add(thickness, hn::Mul(length, InsideShare(tag, a, b, c)));
+          thickness = hn::MulAdd(length, InsideShare(tag, a, b, c), thickness);
         }
       }
       hn::Store(surface, tag, tile.surface + at);
@@ -166,23 +154,91 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows, int x0, int y
   }
 }
 
+// The same where all the cells are in the image and none is a hole, whose patches have twists of at
+// most `twist`: where both ends are further from zero than the bow can be deep, the ray is all in
+// or all out.
+void WalkWholeCells(
+  const SweepThickness::Plan& plan, const SweepThickness::Group& group, float twist, Tile& tile)
+{
+  const Tag tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const HeightView<float>& heights = plan.field->GetField().heights;
+  const std::ptrdiff_t pitch = heights.stepY;
+
+  // What the cells say, once for all rays.
+  struct Step
+  {
+    const float* first;
+    const float* second;
+    const float* lower;
+    float weight, length, rise, bend, bow;
+  };
+  Step steps[SweepThickness::GroupSize];
+  const int count = group.end - group.begin;
+  const float* origin = heights.data + tile.y0 * pitch + tile.x0;
+  for (int k = 0; k < count; ++k)
+  {
+    const SweepThickness::Cell& cell = plan.cells[group.begin + k];
+    steps[k] = { origin + cell.firstY * pitch + cell.firstX,
+      origin + cell.secondY * pitch + cell.secondX, origin + cell.y * pitch + cell.x, cell.weight,
+      cell.length, cell.rise, cell.bend, 0.25f * twist * std::abs(cell.bend) };
+  }
+
+  for (int row = 0; row < tile.rows; ++row)
+  {
+    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
+    {
+      const int at = row * SweepThickness::TileWidth + column;
+      const std::ptrdiff_t offset = row * pitch + column;
+      const Vector base = hn::Load(tag, tile.base + at);
+      Vector thickness = hn::Load(tag, tile.thickness + at);
+      Vector a =
+        hn::Sub(hn::Sub(hn::Load(tag, tile.ground + at), base), hn::Set(tag, group.riseIn));
+      Vector next = base;
+      for (int k = 0; k < count; ++k)
+      {
+        const Step& step = steps[k];
+        next = Interpolate(tag, hn::LoadU(tag, step.first + offset),
+          hn::LoadU(tag, step.second + offset), step.weight);
+        const Vector b = hn::Sub(hn::Sub(next, base), hn::Set(tag, step.rise));
+        const Vector bow = hn::Set(tag, step.bow);
+        const Mask inside = hn::Gt(hn::Min(a, b), bow);
+        const Mask outside = hn::Lt(hn::Add(hn::Max(a, b), bow), hn::Zero(tag));
+        const Vector length = hn::Set(tag, step.length);
+        if (HWY_LIKELY(hn::AllTrue(tag, hn::Or(inside, outside))))
+        {
+          thickness = hn::Add(thickness, hn::IfThenElseZero(inside, length));
+        }
+        else
+        {
+          const float* lower = step.lower + offset;
+          const Vector c = hn::Mul(Twist(tag, lower, lower + pitch), hn::Set(tag, step.bend));
+          thickness = hn::MulAdd(length, InsideShare(tag, a, b, c), thickness);
+        }
+        a = b;
+      }
+      hn::Store(next, tag, tile.surface + at);
+      hn::Store(next, tag, tile.ground + at);
+      hn::Store(thickness, tag, tile.thickness + at);
+    }
+  }
+}
+
 // Sets surface and ground to the surface's height at the exit of a cell, after cells without holes.
-void Resume(
-  const SweepThickness::Plan& plan, const Rows& rows, int x0, int y0, int index, Tile& tile)
+void Resume(const SweepThickness::Plan& plan, const Rows& rows, int index, Tile& tile)
 {
   const Tag tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
   const SweepThickness::Cell& cell = plan.cells[index];
-  for (int row = 0; row < SweepThickness::TileHeight; ++row)
+  for (int row = 0; row < tile.rows; ++row)
   {
-    const float* lower = rows(y0 + row + cell.y) + (x0 + cell.x);
-    const float* upper = rows(y0 + row + cell.y + 1) + (x0 + cell.x);
+    const float* first = rows(tile.y0 + row + cell.firstY) + tile.x0 + cell.firstX;
+    const float* second = rows(tile.y0 + row + cell.secondY) + tile.x0 + cell.secondX;
     for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
     {
       const int at = row * SweepThickness::TileWidth + column;
-      const Vector height = EdgeHeight(tag, cell.exit, cell.weight, hn::LoadU(tag, lower + column),
-        hn::LoadU(tag, lower + column + 1), hn::LoadU(tag, upper + column),
-        hn::LoadU(tag, upper + column + 1));
+      const Vector height = Interpolate(
+        tag, hn::LoadU(tag, first + column), hn::LoadU(tag, second + column), cell.weight);
       hn::Store(height, tag, tile.surface + at);
       // Rays that have left the image keep what they held.
       const Vector ground = hn::Load(tag, tile.ground + at);
@@ -194,7 +250,7 @@ void Resume(
 // Bounds of the cells that a group's rays from the samples [x0, x1] x [y0, y1] run through, as far
 // as they are in the image. Returns how much of them is: 0 nothing, 1 a part, 2 all.
 HWY_INLINE int GroupBounds(const SweepThickness::Plan& plan, const SweepThickness::Group& group,
-  int level, int x0, int x1, int y0, int y1, float& lo, float& hi)
+  int level, int x0, int x1, int y0, int y1, MinMaxPyramid::Bounds& found)
 {
   const HeightView<float>& heights = plan.field->GetField().heights;
   const MinMaxPyramid& bounds = plan.field->GetPyramid();
@@ -214,8 +270,7 @@ HWY_INLINE int GroupBounds(const SweepThickness::Plan& plan, const SweepThicknes
   const int b1 = std::min(i1, lastX) >> shift;
   const int c0 = std::max(j0, 0) >> shift;
   const int c1 = std::min(j1, lastY) >> shift;
-  lo = std::numeric_limits<float>::infinity();
-  hi = -std::numeric_limits<float>::infinity();
+  found = MinMaxPyramid::Bounds();
   bool holes = false;
   for (int c = c0; c <= c1; ++c)
   {
@@ -223,52 +278,59 @@ HWY_INLINE int GroupBounds(const SweepThickness::Plan& plan, const SweepThicknes
     {
       const MinMaxPyramid::Bounds& block = bounds.At(level, b, c);
       holes = holes || block.lo > block.hi;
-      lo = block.lo < lo ? block.lo : lo;
-      hi = block.hi > hi ? block.hi : hi;
+      found.lo = block.lo < found.lo ? block.lo : found.lo;
+      found.hi = block.hi > found.hi ? block.hi : found.hi;
+      found.twist = block.twist > found.twist ? block.twist : found.twist;
     }
   }
   if (holes)
   {
-    lo = -std::numeric_limits<float>::infinity();
-    hi = std::numeric_limits<float>::infinity();
+    found.lo = -std::numeric_limits<float>::infinity();
+    found.hi = std::numeric_limits<float>::infinity();
   }
   return i0 >= 0 && i1 <= lastX && j0 >= 0 && j1 <= lastY ? 2 : 1;
 }
 
-// Sets what may be left of the rays, up to where they rise above everything. Returns whether d is
-// settled for all, within the tolerance.
-bool Settle(const SweepThickness::Plan& plan, float distance, bool measure, Tile& tile)
+// How much of each ray is left to where it rises above everything.
+HWY_INLINE Vector RestOf(Tag tag, const SweepThickness::Plan& plan, float distance, Vector base)
+{
+  const Vector top = hn::Set(tag, plan.field->GetTop() + plan.medium.depth);
+  const Vector whole = hn::Mul(hn::Sub(top, base), hn::Set(tag, 1.0f / plan.dz));
+  return hn::Max(hn::Sub(whole, hn::Set(tag, distance)), hn::Zero(tag));
+}
+
+void MeasureRest(const SweepThickness::Plan& plan, float distance, Tile& tile)
 {
   const Tag tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  const Vector zero = hn::Zero(tag);
-  const Vector depth = hn::Set(tag, plan.medium.depth);
-  const Vector top = hn::Set(tag, plan.field->GetTop() + plan.medium.depth);
-  const Vector perRise = hn::Set(tag, 1.0f / plan.dz);
-  const Vector twice = hn::Set(tag, 2.0f * plan.medium.tolerance);
-  const bool exponential = plan.medium.attenuation == f32::RELIEF_EXPONENTIAL;
-  // exp(-a (r - t)) <= 2 epsilon from this thickness on.
-  const float dark = exponential ? plan.medium.depth -
-      std::log(std::min(2.0f * plan.medium.tolerance, 1.0f)) / plan.medium.density
-                                 : 0.0f;
-  bool settled = true;
-  for (int at = 0; at < SweepThickness::TileSize; at += lanes)
+  for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
   {
-    const Vector base = hn::Load(tag, tile.base + at);
-    const Vector rest =
-      hn::Max(hn::Sub(hn::Mul(hn::Sub(top, base), perRise), hn::Set(tag, distance)), zero);
-    if (measure)
-    {
-      hn::Store(rest, tag, tile.rest + at);
-      continue;
-    }
+    hn::Store(RestOf(tag, plan, distance, hn::Load(tag, tile.base + at)), tag, tile.rest + at);
+  }
+}
+
+// Whether d is within the tolerance for every sample, however much of the rest is inside.
+bool IsSettled(const SweepThickness::Plan& plan, float distance, const Tile& tile)
+{
+  const Tag tag;
+  const f32::ReliefMedium& medium = plan.medium;
+  const Vector depth = hn::Set(tag, medium.depth);
+  const Vector twice = hn::Set(tag, 2.0f * medium.tolerance);
+  const bool exponential = medium.attenuation == f32::RELIEF_EXPONENTIAL;
+  // exp(-a (r - t)) <= 2 epsilon from this thickness on.
+  const float dark = exponential
+    ? medium.depth - std::log(std::min(2.0f * medium.tolerance, 1.0f)) / medium.density
+    : 0.0f;
+  for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
+  {
+    const Vector rest = RestOf(tag, plan, distance, hn::Load(tag, tile.base + at));
     const Vector thickness = hn::Load(tag, tile.thickness + at);
+    // Samples without data compare false and so are never open.
     Mask open;
     if (exponential)
     {
       // The slope of d is at most a.
       open = hn::And(hn::Lt(thickness, hn::Set(tag, dark)),
-        hn::Gt(hn::Mul(rest, hn::Set(tag, plan.medium.density)), twice));
+        hn::Gt(hn::Mul(rest, hn::Set(tag, medium.density)), twice));
     }
     else
     {
@@ -276,14 +338,12 @@ bool Settle(const SweepThickness::Plan& plan, float distance, bool measure, Tile
       const Vector r = hn::Max(thickness, depth);
       open = hn::Gt(hn::Mul(depth, rest), hn::Mul(hn::Mul(twice, r), hn::Add(r, rest)));
     }
-    // Samples without data compare false.
     if (!hn::AllFalse(tag, open))
     {
-      settled = false;
-      break;
+      return false;
     }
   }
-  return settled;
+  return true;
 }
 
 // Adds what is left of rays that have left the image, under level ground.
@@ -304,12 +364,17 @@ void TraceTile(
   const HeightField& field = *plan.field;
   const HeightView<float>& heights = field.GetField().heights;
   const Rows rows = { heights.data, heights.stepY, field.GetMissingRow(), heights.rows };
-  const int x1 = std::min(x0 + SweepThickness::TileWidth, heights.columns) - 1;
-  const int y1 = std::min(y0 + SweepThickness::TileHeight, heights.rows) - 1;
+  const float infinity = std::numeric_limits<float>::infinity();
 
   Tile tile;
-  float lowest = std::numeric_limits<float>::infinity();
-  float highest = -lowest;
+  tile.x0 = x0;
+  tile.y0 = y0;
+  tile.rows = std::min(SweepThickness::TileHeight, heights.rows - y0);
+  const int x1 = std::min(x0 + SweepThickness::TileWidth, heights.columns) - 1;
+  const int y1 = y0 + tile.rows - 1;
+  Vector low = hn::Set(tag, infinity);
+  Vector high = hn::Set(tag, -infinity);
+  std::size_t samples = 0;
   for (int row = 0; row < SweepThickness::TileHeight; ++row)
   {
     const float* own = rows(y0 + row) + x0;
@@ -322,95 +387,88 @@ void TraceTile(
       hn::Store(base, tag, tile.ground + at);
       hn::Store(hn::Zero(tag), tag, tile.thickness + at);
       hn::Store(hn::Zero(tag), tag, tile.rest + at);
+      const Mask missing = hn::IsNaN(base);
+      low = hn::IfThenElse(missing, low, hn::Min(low, base));
+      high = hn::IfThenElse(missing, high, hn::Max(high, base));
+      samples += static_cast<std::size_t>(lanes) - hn::CountTrue(tag, missing);
     }
   }
-  int samples = 0;
-  for (float base : tile.base)
+  const float lowest = hn::GetLane(hn::MinOfLanes(tag, low));
+  const float highest = hn::GetLane(hn::MaxOfLanes(tag, high));
+  count.rays += samples;
+
+  bool current = true;  // surface and ground belong to the crossing before the group
+  float held = highest; // no ray's ground is higher, once rays have left the image
+  const int groups = samples > 0 ? static_cast<int>(plan.groups.size()) : 0;
+  for (int g = 0; g < groups; ++g)
   {
-    samples += base == base ? 1 : 0;
-    lowest = base < lowest ? base : lowest;
-    highest = base > highest ? base : highest;
-  }
-  if (samples > 0)
-  {
-    count.rays += static_cast<std::uint64_t>(samples);
-    const float top = field.GetTop();
-    bool current = true; // surface and ground belong to the crossing before the group
-    bool done = false;
-    float held = highest; // no ray's ground is higher, once rays have left the image
-    const int groups = static_cast<int>(plan.groups.size());
-    for (int g = 0; g < groups && !done; ++g)
+    const SweepThickness::Group& group = plan.groups[g];
+    if (lowest + group.riseIn > field.GetTop())
     {
-      const SweepThickness::Group& group = plan.groups[g];
-      if (lowest + group.riseIn > top)
+      break;
+    }
+    MinMaxPyramid::Bounds bounds;
+    if (g % SweepThickness::SpanSize == 0 && plan.dz > 0.0f && g > 0)
+    {
+      if (plan.medium.tolerance > 0.0f && IsSettled(plan, group.distance, tile))
       {
-        done = true;
+        MeasureRest(plan, group.distance, tile);
         break;
       }
-      if (plan.medium.tolerance > 0.0f && plan.dz > 0.0f && g % SweepThickness::SpanSize == 0 &&
-        g > 0 && Settle(plan, group.distance, false, tile))
-      {
-        Settle(plan, group.distance, true, tile);
-        done = true;
-        break;
-      }
-      float lo;
-      float hi;
-      if (g % SweepThickness::SpanSize == 0 && plan.dz >= 0.0f)
-      {
-        const SweepThickness::Group& span = plan.spans[g / SweepThickness::SpanSize];
-        if (GroupBounds(plan, span, 2, x0, x1, y0, y1, lo, hi) == 2)
-        {
-          if (hi < lowest + span.riseIn)
-          {
-            current = false;
-            ++count.cells;
-            g += SweepThickness::SpanSize - 1;
-            continue;
-          }
-        }
-      }
-      const int inImage = GroupBounds(plan, group, 1, x0, x1, y0, y1, lo, hi);
+      const SweepThickness::Group& span = plan.spans[g / SweepThickness::SpanSize];
       ++count.cells;
-      if (inImage == 0)
-      {
-        if (!current)
-        {
-          Resume(plan, rows, x0, y0, group.begin - 1, tile);
-        }
-        AddLevelRest(plan, group.distance, tile);
-        done = true;
-        break;
-      }
-      if (hi < lowest + group.riseIn && (inImage == 2 || held < lowest + group.riseIn))
+      if (GroupBounds(plan, span, 2, x0, x1, y0, y1, bounds) == 2 &&
+        bounds.hi < lowest + span.riseIn)
       {
         current = false;
+        g += SweepThickness::SpanSize - 1;
         continue;
       }
-      if (inImage == 2 && lo > highest + group.riseOut)
-      {
-        const Vector length = hn::Set(tag, group.length);
-        for (int at = 0; at < SweepThickness::TileSize; at += lanes)
-        {
-          hn::Store(hn::Add(hn::Load(tag, tile.thickness + at), length), tag, tile.thickness + at);
-        }
-        current = false;
-        continue;
-      }
+    }
+    const int inImage = GroupBounds(plan, group, 1, x0, x1, y0, y1, bounds);
+    ++count.cells;
+    if (inImage == 0)
+    {
       if (!current)
       {
-        Resume(plan, rows, x0, y0, group.begin - 1, tile);
-        current = true;
+        Resume(plan, rows, group.begin - 1, tile);
       }
-      WalkCells(plan, rows, x0, y0, group.begin, group.end, group.riseIn, tile);
-      count.cells += static_cast<std::uint64_t>(samples) * (group.end - group.begin);
-      if (inImage == 1)
+      AddLevelRest(plan, group.distance, tile);
+      break;
+    }
+    if (bounds.hi < lowest + group.riseIn && (inImage == 2 || held < lowest + group.riseIn))
+    {
+      current = false;
+      continue;
+    }
+    if (inImage == 2 && bounds.lo > highest + group.riseOut)
+    {
+      const Vector length = hn::Set(tag, group.length);
+      for (int at = 0; at < SweepThickness::TileSize; at += lanes)
       {
-        held = -std::numeric_limits<float>::infinity();
-        for (float ground : tile.ground)
-        {
-          held = ground > held ? ground : held;
-        }
+        hn::Store(hn::Add(hn::Load(tag, tile.thickness + at), length), tag, tile.thickness + at);
+      }
+      current = false;
+      continue;
+    }
+    if (!current)
+    {
+      Resume(plan, rows, group.begin - 1, tile);
+      current = true;
+    }
+    count.cells += samples * static_cast<std::size_t>(group.end - group.begin);
+    if (inImage == 2 && bounds.lo > -infinity)
+    {
+      WalkWholeCells(plan, group, bounds.twist, tile);
+      continue;
+    }
+    WalkCells(plan, rows, group, tile);
+    if (inImage == 1)
+    {
+      held = -infinity;
+      for (float ground : tile.ground)
+      {
+        held = ground > held ? ground : held;
       }
     }
   }
@@ -501,7 +559,9 @@ SweepThickness::SweepThickness(
     Cell cell;
     cell.x = x;
     cell.y = y;
-    cell.exit = throughX ? (dx > 0.0 ? 0 : 1) : (dy > 0.0 ? 2 : 3);
+    cell.firstX = cell.secondX = throughX && dx > 0.0 ? x + 1 : x;
+    cell.firstY = cell.secondY = !throughX && dy > 0.0 ? y + 1 : y;
+    ++(throughX ? cell.secondY : cell.secondX);
     const double place = throughX ? dy * next - y : dx * next - x;
     cell.weight = static_cast<float>(std::min(std::max(place, 0.0), 1.0));
     cell.length = static_cast<float>(next - s);

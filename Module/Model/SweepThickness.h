@@ -44,13 +44,15 @@ public:
   /// The instruction set in use, for reports.
   static const char* GetTargetName();
 
-  // One cell that every ray runs through, by its offset from the ray's sample.
+  // One cell that every ray runs through, by its offset from the ray's sample, and the two samples
+  // between which the ray leaves it.
   struct Cell
   {
     int x;
     int y;
-    int exit;     // edge through which the ray leaves: 0 east, 1 west, 2 north, 3 south
-    float weight; // place of the exit on that edge, from its first sample to its second
+    int firstX, firstY;
+    int secondX, secondY;
+    float weight; // of the second sample at the exit
     float length; // of the ray in the cell
     float rise;   // of the ray at the exit above its sample
     float bend;   // what the patch's twist is multiplied by to give the quadratic's curvature
@@ -77,7 +79,6 @@ public:
     std::vector<Group> groups;
     std::vector<Group> spans; // of SpanSize groups each
     float dz;
-    float stepX; // length of the ray from one grid line to the next, infinite along the line
   };
   static constexpr int GroupSize = 4;
   static constexpr int SpanSize = 4;
