@@ -100,8 +100,9 @@ TEST(RayProperties, SinglePrecisionKeepsItsAccuracy)
     RandomScene scene = Scene(number);
     SCOPED_TRACE(Name(number, scene));
     Samples<float> samples(scene.terrain);
+    Samples<double> exact(scene.terrain);
     Traced<float> single = Trace<float>(samples.WithBounds(), scene.medium, scene.light);
-    Traced<double> reference = Trace<double>(samples.WithoutBounds(), scene.medium, scene.light);
+    Traced<double> reference = Trace<double>(exact.WithoutBounds(), scene.medium, scene.light);
     std::vector<double> errors;
     for (std::size_t k = 0; k < reference.d.size(); ++k)
     {

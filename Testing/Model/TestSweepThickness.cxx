@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lockstep against the double reference, ray by ray, on every instruction set that this machine
+// has.
+#include "RandomScene.h"
+
+#include "SweepThickness.h"
+
+#include <hwy/targets.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using namespace relief;
+
+namespace
+{
+void RunSerial(int count, const std::function<void(int, int)>& body)
+{
+  body(0, count);
+}
+
+// A padded field of a terrain's heights.
+void Prepare(const Terrain& terrain, HeightField& field)
+{
+  HeightSource<double> source;
+  source.data = terrain.heights.data();
+  source.stepY = terrain.columns;
+  source.columns = terrain.columns;
+  source.rows = terrain.rows;
+  source.spacingX = terrain.spacingX;
+  source.spacingY = terrain.spacingY;
+  ASSERT_EQ(field.Assign(source, RunSerial, true), "");
+}
+
+// d (and r) of all samples, tile by tile.
+std::vector<float> Sweep(const HeightField& field, const f64::ReliefMedium& medium,
+  const Light& light, std::vector<float>* thickness = nullptr, RayCount* work = nullptr)
+{
+  const HeightView<float>& heights = field.GetField().heights;
+  const SweepThickness sweep(field, medium, light);
+  std::vector<float> result(static_cast<std::size_t>(heights.columns) * heights.rows);
+  if (thickness)
+  {
+    thickness->resize(result.size());
+  }
+  RayCount count;
+  for (int row = 0; row * SweepThickness::TileHeight < heights.rows; ++row)
+  {
+    for (int column = 0; column * SweepThickness::TileWidth < heights.columns; ++column)
+    {
+      float d[SweepThickness::TileSize];
+      float r[SweepThickness::TileSize];
+      sweep.IlluminateTile(column, row, d, r, count);
+      for (int at = 0; at < SweepThickness::TileSize; ++at)
+      {
+        int i = column * SweepThickness::TileWidth + at % SweepThickness::TileWidth;
+        int j = row * SweepThickness::TileHeight + at / SweepThickness::TileWidth;
+        if (i < heights.columns && j < heights.rows)
+        {
+          result[static_cast<std::size_t>(j) * heights.columns + i] = d[at];
+          if (thickness)
+          {
+            (*thickness)[static_cast<std::size_t>(j) * heights.columns + i] = r[at];
+          }
+        }
+      }
+    }
+  }
+  if (work)
+  {
+    *work = count;
+  }
+  return result;
+}
+
+std::vector<double> Reference(
+  const HeightField& field, f64::ReliefMedium medium, const Light& light)
+{
+  // Without bounds, without tolerance, in double.
+  Field<float> plain = field.GetField();
+  plain.bounds = nullptr;
+  medium.tolerance = 0.0;
+  std::vector<double> result(static_cast<std::size_t>(plain.heights.columns) * plain.heights.rows);
+  RayCount count;
+  for (int j = 0; j < plain.heights.rows; ++j)
+  {
+    RowRequest<double> request;
+    request.j = j;
+    request.end = plain.heights.columns;
+    request.illumination = result.data() + static_cast<std::size_t>(j) * plain.heights.columns;
+    TraceRow<double>(plain, medium, light, request, count);
+  }
+  return result;
+}
+
+// A scene that is swept.
+RandomScene MakeSweptScene(Random& random)
+{
+  for (;;)
+  {
+    RandomScene scene = MakeRandomScene(random);
+    scene.medium.offset = f64::RELIEF_VERTICAL;
+    scene.medium.useFloor = false;
+    if (SweepThickness::Applies(scene.medium, scene.light))
+    {
+      return scene;
+    }
+  }
+}
+
+class EveryTarget : public testing::TestWithParam<std::int64_t>
+{
+protected:
+  void SetUp() override { hwy::SetSupportedTargetsForTest(GetParam()); }
+  void TearDown() override { hwy::SetSupportedTargetsForTest(0); }
+};
+}
+
+TEST_P(EveryTarget, AgreesWithTheReference)
+{
+  const std::uint64_t seed = Seed();
+  SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << SweepThickness::GetTargetName());
+  Random random(seed);
+  std::size_t samples = 0;
+  std::size_t beyond = 0;
+  double worst = 0.0;
+  for (int round = 0; round < 300; ++round)
+  {
+    const RandomScene scene = MakeSweptScene(random);
+    SCOPED_TRACE(testing::Message() << "scene " << round << ": " << scene);
+    HeightField field;
+    Prepare(scene.terrain, field);
+    f64::ReliefMedium medium = scene.medium;
+    const std::vector<float> swept = Sweep(field, medium, scene.light);
+    const std::vector<double> expected = Reference(field, medium, scene.light);
+    for (std::size_t at = 0; at < swept.size(); ++at)
+    {
+      if (std::isnan(scene.terrain.heights[at]))
+      {
+        continue;
+      }
+      const double error = std::abs(swept[at] - expected[at]);
+      ++samples;
+      beyond += error > 1e-5 ? 1 : 0;
+      worst = std::max(worst, error);
+      ASSERT_LE(error, 1e-3) << "sample " << at;
+    }
+  }
+  std::cout << SweepThickness::GetTargetName() << ": largest error " << worst
+            << ", beyond 1e-5: " << 100.0 * beyond / samples << " % of " << samples << std::endl;
+  EXPECT_LE(beyond, samples / 1000);
+}
+
+TEST_P(EveryTarget, KeepsTheTolerance)
+{
+  const std::uint64_t seed = Seed() + 1;
+  SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << SweepThickness::GetTargetName());
+  Random random(seed);
+  for (int round = 0; round < 40; ++round)
+  {
+    RandomScene scene = MakeSweptScene(random);
+    SCOPED_TRACE(testing::Message() << "scene " << round << ": " << scene);
+    HeightField field;
+    Prepare(scene.terrain, field);
+    const std::vector<float> exact = Sweep(field, scene.medium, scene.light);
+    for (double tolerance : { 0.1, 0.02, 0.002 })
+    {
+      scene.medium.tolerance = tolerance;
+      const std::vector<float> swept = Sweep(field, scene.medium, scene.light);
+      for (std::size_t at = 0; at < swept.size(); ++at)
+      {
+        if (!std::isnan(scene.terrain.heights[at]))
+        {
+          ASSERT_LE(std::abs(swept[at] - exact[at]), tolerance + 1e-5) << "sample " << at;
+        }
+      }
+    }
+  }
+}
+
+// No special directions: every whole degree, with holes, on every border.
+TEST_P(EveryTarget, EveryAzimuth)
+{
+  Random random(99);
+  Terrain terrain(75, 41, 1.0, 1.25);
+  for (int j = 0; j < terrain.rows; ++j)
+  {
+    for (int i = 0; i < terrain.columns; ++i)
+    {
+      terrain.At(i, j) = random.Chance(0.02)
+        ? NoData
+        : 4.0 * std::sin(0.3 * i) * std::cos(0.4 * j) + random.Uniform(0.0, 1.0);
+    }
+  }
+  terrain.RoundToSingle();
+  HeightField field;
+  Prepare(terrain, field);
+  const f64::ReliefMedium medium = Sunk(1.0, f64::RELIEF_VERTICAL);
+  for (double altitude : { 0.1, 20.0, 45.0, 90.0 })
+  {
+    std::vector<double> azimuths = { 89.9, 179.9, 359.9 };
+    for (int azimuth = 0; azimuth < 360; azimuth += altitude == 20.0 ? 1 : 15)
+    {
+      azimuths.push_back(azimuth);
+    }
+    for (double azimuth : azimuths)
+    {
+      const Light sun = Sun(azimuth, altitude);
+      if (!SweepThickness::Applies(medium, sun))
+      {
+        EXPECT_EQ(altitude, 90.0);
+        continue;
+      }
+      const std::vector<float> swept = Sweep(field, medium, sun);
+      const std::vector<double> expected = Reference(field, medium, sun);
+      for (std::size_t at = 0; at < swept.size(); ++at)
+      {
+        if (!std::isnan(terrain.heights[at]))
+        {
+          ASSERT_NEAR(swept[at], expected[at], 1e-4)
+            << "azimuth " << azimuth << ", altitude " << altitude << ", sample " << at;
+        }
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SweepThickness, EveryTarget,
+  testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
+  [](const testing::TestParamInfo<std::int64_t>& info) { return hwy::TargetName(info.param); });
+
+TEST(SweepThickness, DepthZeroIsTheLimit)
+{
+  Random random(5);
+  for (int round = 0; round < 40; ++round)
+  {
+    RandomScene scene = MakeSweptScene(random);
+    scene.medium.depth = 0.0;
+    HeightField field;
+    Prepare(scene.terrain, field);
+    const std::vector<float> swept = Sweep(field, scene.medium, scene.light);
+    std::vector<float> row(scene.terrain.columns);
+    RayCount count;
+    for (int j = 0; j < scene.terrain.rows; ++j)
+    {
+      RowRequest<float> request;
+      request.j = j;
+      request.end = scene.terrain.columns;
+      request.illumination = row.data();
+      TraceRow<float>(field.GetField(), ToSingle(scene.medium), scene.light, request, count);
+      for (int i = 0; i < scene.terrain.columns; ++i)
+      {
+        const std::size_t at = static_cast<std::size_t>(j) * scene.terrain.columns + i;
+        // A ray that only just touches the surface again may be shadowed in one and not in the
+        // other.
+        const bool grazing = (swept[at] == 0.0f) != (row[i] == 0.0f);
+        if (!std::isnan(scene.terrain.heights[at]) && !grazing)
+        {
+          ASSERT_NEAR(swept[at], row[i], 1e-4)
+            << "scene " << round << ": " << scene << " at " << at;
+        }
+      }
+    }
+  }
+}
+
+TEST(SweepThickness, ToleranceSavesWork)
+{
+  // A low sun over rough ground, where most of every ray lies in the dark.
+  Random random(6);
+  Terrain terrain(400, 300, 1.0, 1.0);
+  for (double& height : terrain.heights)
+  {
+    height = random.Uniform(0.0, 20.0);
+  }
+  HeightField field;
+  Prepare(terrain, field);
+  f64::ReliefMedium medium = Sunk(1.0, f64::RELIEF_VERTICAL);
+  std::uint64_t before = ~std::uint64_t(0);
+  for (double tolerance : { 0.0, 0.002, 0.02, 0.1 })
+  {
+    medium.tolerance = tolerance;
+    RayCount work;
+    Sweep(field, medium, Sun(300.0, 5.0), nullptr, &work);
+    EXPECT_EQ(work.rays, terrain.heights.size());
+    EXPECT_LT(work.cells, before);
+    before = work.cells;
+  }
+}
