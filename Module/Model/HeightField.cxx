@@ -2,6 +2,7 @@
 #include "HeightField.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -43,15 +44,14 @@ public:
       this->HasNoData = this->HasNoData && std::floor(source.noData) == source.noData &&
         source.noData >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
         source.noData <= static_cast<double>(std::numeric_limits<T>::max());
+      this->NoData = static_cast<T>(this->HasNoData ? source.noData : 0.0);
     }
     else
     {
-      this->HasNoData = this->HasNoData &&
-        std::abs(source.noData) <= static_cast<double>(std::numeric_limits<T>::max());
-    }
-    if (this->HasNoData)
-    {
-      this->NoData = static_cast<T>(source.noData);
+      // The largest float is often written with so few digits that it reads a little larger.
+      constexpr double largest = std::numeric_limits<T>::max();
+      this->HasNoData = this->HasNoData && std::abs(source.noData) / (1.0 + 2e-8) <= largest;
+      this->NoData = static_cast<T>(std::clamp(source.noData, -largest, largest));
     }
   }
 
@@ -110,7 +110,8 @@ public:
     const T* values = this->Source.data + j * this->Source.stepY;
     for (int i = 0; plain && i < this->Source.columns; ++i)
     {
-      plain = !std::isnan(row[i]) || values[i * this->Source.stepX] != values[i * this->Source.stepX];
+      plain =
+        !std::isnan(row[i]) || values[i * this->Source.stepX] != values[i * this->Source.stepX];
     }
     return plain;
   }
@@ -140,6 +141,8 @@ template <class T>
 std::string HeightField::Assign(
   const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded)
 {
+  static std::atomic<std::uint64_t> versions{ 0 };
+  this->Version = ++versions;
   const RowReader<T> reader(source);
   const float none = std::numeric_limits<float>::quiet_NaN();
   HeightView<float>& view = this->Prepared.heights;
@@ -157,20 +160,22 @@ std::string HeightField::Assign(
     {
       Range range;
       inPlace = true;
-      parallelFor(source.rows, [&](int begin, int end) {
-        std::vector<float> row(source.columns);
-        Range part;
-        bool plain = true;
-        for (int j = begin; j < end && plain; ++j)
+      parallelFor(source.rows,
+        [&](int begin, int end)
         {
-          reader.Read(j, 0.0, row.data());
-          plain = reader.IsPlain(row.data(), j);
-          AddToRange(row.data(), source.columns, part);
-        }
-        std::lock_guard<std::mutex> lock(mutex);
-        inPlace = inPlace && plain;
-        range.Add(part.lo, part.hi);
-      });
+          std::vector<float> row(source.columns);
+          Range part;
+          bool plain = true;
+          for (int j = begin; j < end && plain; ++j)
+          {
+            reader.Read(j, 0.0, row.data());
+            plain = reader.IsPlain(row.data(), j);
+            AddToRange(row.data(), source.columns, part);
+          }
+          std::lock_guard<std::mutex> lock(mutex);
+          inPlace = inPlace && plain;
+          range.Add(part.lo, part.hi);
+        });
       if (inPlace)
       {
         this->Copy = std::vector<float>();
@@ -191,24 +196,28 @@ std::string HeightField::Assign(
     this->Copy.resize(pitch * (static_cast<std::size_t>(source.rows) + (padded ? 1 : 0)));
     float* first = this->Copy.data() + margin;
 
-    auto copy = [&](double datum) {
+    auto copy = [&](double datum)
+    {
       Range range;
-      parallelFor(source.rows, [&](int begin, int end) {
-        Range part;
-        for (int j = begin; j < end; ++j)
+      parallelFor(source.rows,
+        [&](int begin, int end)
         {
-          float* row = first + static_cast<std::size_t>(j) * pitch;
-          std::fill_n(row - margin, margin, none);
-          reader.Read(j, datum, row);
-          std::fill_n(row + source.columns, margin, none);
-          AddToRange(row, source.columns, part);
-        }
-        std::lock_guard<std::mutex> lock(mutex);
-        range.Add(part.lo, part.hi);
-      });
+          Range part;
+          for (int j = begin; j < end; ++j)
+          {
+            float* row = first + static_cast<std::size_t>(j) * pitch;
+            std::fill_n(row - margin, margin, none);
+            reader.Read(j, datum, row);
+            std::fill_n(row + source.columns, margin, none);
+            AddToRange(row, source.columns, part);
+          }
+          std::lock_guard<std::mutex> lock(mutex);
+          range.Add(part.lo, part.hi);
+        });
       return range;
     };
-    auto exactRange = [&]() {
+    auto exactRange = [&]()
+    {
       Range range;
       std::vector<double> row(source.columns);
       for (int j = 0; j < source.rows; ++j)

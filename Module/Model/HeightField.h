@@ -4,6 +4,7 @@
 
 #include "HeightView.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ struct HeightSource
 
 /// The heights that a scene is shaded with, prepared once: float samples, NaN without data, and
 /// their bounds. Float heights that need no change are used where they are and must outlive this
-/// object; others are copied, which takes 4 bytes a sample. The bounds take 0.7.
+/// object; others are copied, which takes 4 bytes a sample. The bounds take 1.
 class HeightField
 {
 public:
@@ -52,6 +53,12 @@ public:
   const float* GetMissingRow() const { return this->MissingRow; }
 
   const MinMaxPyramid& GetPyramid() const { return this->Pyramid; }
+
+  /// A number that no other field, and no other state of this one, has.
+  std::uint64_t GetVersion() const { return this->Version; }
+
+  /// Whether the caller's own samples are used, which then must stay.
+  bool IsInPlace() const { return this->Copy.empty(); }
 
   const Field<float>& GetField() const { return this->Prepared; }
 
@@ -75,6 +82,7 @@ private:
   std::vector<float> Copy;
   const float* MissingRow = nullptr;
   MinMaxPyramid Pyramid;
+  std::uint64_t Version = 0;
   double Datum = 0.0;
   float Bottom = 0.0f;
   float Top = 0.0f;
