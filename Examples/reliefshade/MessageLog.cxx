@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MessageLog.h"
+
+#include "vtkLogger.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+#include <mutex>
+#include <sstream>
+
+namespace
+{
+
+std::mutex errorMutex;
+std::string firstError;
+
+/// An error event of one object would miss those of the executives behind it; this is where all of
+/// them arrive.
+class vtkMessageLog : public vtkOutputWindow
+{
+public:
+  static vtkMessageLog* New();
+  vtkTypeMacro(vtkMessageLog, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayWarningText(const char*) override {}
+  void DisplayGenericWarningText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    // The first error is the cause; what follows are its consequences up the pipeline.
+    std::lock_guard<std::mutex> lock(errorMutex);
+    if (firstError.empty() && text)
+    {
+      firstError = text;
+    }
+  }
+
+protected:
+  vtkMessageLog() = default;
+  ~vtkMessageLog() override = default;
+
+private:
+  vtkMessageLog(const vtkMessageLog&) = delete;
+  void operator=(const vtkMessageLog&) = delete;
+};
+
+vtkStandardNewMacro(vtkMessageLog);
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+void catchMessages()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkNew<vtkMessageLog> log;
+  vtkOutputWindow::SetInstance(log);
+}
+
+//------------------------------------------------------------------------------
+bool hasError()
+{
+  std::lock_guard<std::mutex> lock(errorMutex);
+  return !firstError.empty();
+}
+
+//------------------------------------------------------------------------------
+std::string takeError()
+{
+  std::string text;
+  {
+    std::lock_guard<std::mutex> lock(errorMutex);
+    text.swap(firstError);
+  }
+  // VTK's form: "ERROR: In <source>, line <n>\n<class> (0x<address>): <message>\n\n".
+  if (text.compare(0, 7, "ERROR: ") == 0)
+  {
+    text.erase(0, text.find('\n'));
+  }
+  const std::size_t address = text.find(" (0x");
+  const std::size_t end = text.find("): ");
+  if (address != std::string::npos && end != std::string::npos && address < end)
+  {
+    text.erase(0, end + 3);
+  }
+  return oneLine(text);
+}
+
+//------------------------------------------------------------------------------
+std::string withoutName(std::string text, const std::string& file)
+{
+  for (const std::string& beginning :
+    { file + ": ", "Cannot read \"" + file + "\": ", "Cannot write \"" + file + "\": " })
+  {
+    if (text.compare(0, beginning.size(), beginning) == 0)
+    {
+      text.erase(0, beginning.size());
+    }
+  }
+  if (!text.empty() && text.back() == '.')
+  {
+    text.pop_back();
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string oneLine(const std::string& text)
+{
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;)
+  {
+    line += line.empty() ? word : " " + word;
+  }
+  return line;
+}
+
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MessageLog_h
+#define MessageLog_h
+
+#include <string>
+
+namespace reliefshade
+{
+
+/// Keeps what VTK's classes report, as single lines, in place of VTK's own printing of several
+/// lines with source files and addresses. Call it once, before anything is reported.
+void catchMessages();
+
+/// The first error since the last call, without VTK's decoration; empty if there was none.
+std::string takeError();
+
+/// Whether there has been an error since the last takeError().
+bool hasError();
+
+/// A reader's or writer's error without the beginning that names the file, and the full stop behind
+/// it.
+std::string withoutName(std::string text, const std::string& file);
+
+/// The text as one line: runs of white space become single blanks.
+std::string oneLine(const std::string& text);
+
+}
+
+#endif

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "OptionParser.h"
+
+#include "vtkLight.h"
+#include "vtkReliefMaterial.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+std::string text(double value)
+{
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+std::string text(const double* values, int count)
+{
+  std::string list = text(values[0]);
+  for (int i = 1; i < count; ++i)
+  {
+    list += "," + text(values[i]);
+  }
+  return list;
+}
+
+//------------------------------------------------------------------------------
+/// Intensity and colour of a light from the numbers behind its `used` first ones.
+void setPower(
+  const std::string& option, vtkLight* light, const std::vector<double>& numbers, std::size_t used)
+{
+  if (std::any_of(numbers.begin() + used, numbers.end(), [](double n) { return n < 0.0; }))
+  {
+    throw Failure(option, "intensity and colour are at least 0", UsageFailure);
+  }
+  if (numbers.size() > used)
+  {
+    light->SetIntensity(numbers[used]);
+  }
+  if (numbers.size() > used + 1)
+  {
+    light->SetDiffuseColor(numbers[used + 1], numbers[used + 2], numbers[used + 3]);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// CLI11's help with this program's own beginning.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+  HelpFormatter() { this->column_width(34); }
+  std::string make_usage(const CLI::App*, std::string) const override;
+};
+
+//------------------------------------------------------------------------------
+void addInputOptions(OptionParser& parser, Options& options)
+{
+  parser.SetGroup("Heights");
+  vtkReliefScene* scene = options.Scene;
+  parser.Number("--height-scale", "F",
+    "What heights are multiplied by, after they have been converted to metres where the file "
+    "names their unit. Negative values turn the relief inside out. Default: " +
+      text(scene->GetHeightScale()),
+    [scene](double value) { scene->SetHeightScale(value); });
+  parser.Numbers("--spacing", "SX[,SY]",
+    "Distance between samples along x and y, in the unit of the heights. Above 0. Default: metres "
+    "from the file's georeference; 1 without one",
+    { 1, 2 },
+    [&options](const std::vector<double>& s)
+    {
+      if (!(s.front() > 0.0) || !(s.back() > 0.0))
+      {
+        throw Failure("--spacing", "distances are above 0", UsageFailure);
+      }
+      options.Spacing = { s.front(), s.back() };
+    });
+  parser.Flag("--degrees",
+    "The file does not name its coordinate reference system: it is longitude and latitude in "
+    "degrees on WGS 84",
+    options.Reading.Degrees);
+  parser.Word("--nodata", "V|none",
+    "The height, as the file stores it, that stands for no data; none: every height counts. NaN "
+    "never does. Default: as the file says",
+    [&options](const std::string& word)
+    {
+      options.Reading.NoDataFromFile = false;
+      options.Reading.NoData.reset();
+      if (word != "none")
+      {
+        options.Reading.NoData = toNumber("--nodata", word);
+      }
+    });
+  parser.Word("--mask", "FILE", "A raster of the same size; where it is 0 there is no data",
+    [&options](const std::string& word) { options.Mask = word; });
+  parser.Word("--band", "N",
+    "Which band of the file holds the heights. At least 1. Default: 1, but pictures of several "
+    "colours are refused",
+    [&options](const std::string& word) { options.Reading.Band = toCount("--band", word); });
+}
+
+//------------------------------------------------------------------------------
+void addLightOptions(OptionParser& parser, Options& options)
+{
+  parser.SetGroup("Lights (may be repeated; they add up)");
+  vtkReliefScene* scene = options.Scene;
+  // Triggered one by one: the lights keep the order of the command line.
+  parser
+    .Numbers("--sun", "AZ,ALT[,I[,R,G,B]]",
+      "A light that is infinitely far. Azimuth clockwise from north (the upper edge), altitude "
+      "above the horizon from -90 to 90, both in degrees; intensity and linear colour, at least 0, "
+      "default: 1 and 1,1,1. Without any light: --sun 315,45",
+      { 2, 3, 6 },
+      [scene](const std::vector<double>& n)
+      {
+        vtkLight* sun = scene->AddSun(n[0], n[1]);
+        refuseWhatTheSceneRefuses("--sun");
+        setPower("--sun", sun, n, 2);
+      })
+    ->trigger_on_parse();
+  parser
+    .Numbers("--point", "X,Y,Z[,I[,R,G,B]]",
+      "A light at a place, see Coordinates below; intensity and colour as for --sun. It does not "
+      "fade with distance",
+      { 3, 4, 7 },
+      [scene](const std::vector<double>& n)
+      {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToSceneLight();
+        light->PositionalOn();
+        light->SetPosition(n[0], n[1], n[2]);
+        setPower("--point", light, n, 3);
+        scene->AddLight(light);
+      })
+    ->trigger_on_parse();
+}
+
+//------------------------------------------------------------------------------
+void addMaterialOptions(OptionParser& parser, Options& options)
+{
+  parser.SetGroup("Material (colours are linear RGB, 0 black to 1 white)");
+  vtkReliefMaterial* material = options.Scene->GetMaterial();
+  parser.Numbers("--base", "R,G,B",
+    "Colour without any light. At least 0. Default: " + text(material->GetBaseColor(), 3), { 3 },
+    [material](const std::vector<double>& c) { material->SetBaseColor(c.data()); });
+  parser.Numbers("--diffuse", "R,G,B",
+    "Colour of the light that has passed through the material. At least 0. Default: " +
+      text(material->GetDiffuseColor(), 3),
+    { 3 }, [material](const std::vector<double>& c) { material->SetDiffuseColor(c.data()); });
+  parser.Numbers("--specular", "R,G,B",
+    "Colour of highlights. At least 0. Default: " + text(material->GetSpecularColor(), 3), { 3 },
+    [material](const std::vector<double>& c) { material->SetSpecularColor(c.data()); });
+  parser.Number("--ks", "K",
+    "Share of highlights, from 0 (none) to 1 (nothing else). Default: " +
+      text(material->GetSpecularCoefficient()),
+    [material](double k) { material->SetSpecularCoefficient(k); });
+  parser.Numbers("--specular-range", "LO,HI",
+    "Where a highlight begins and is full: cosines of the angle between light and mirrored view. "
+    "LO at most HI. Default: " +
+      text(material->GetSpecularRange(), 2),
+    { 2 }, [material](const std::vector<double>& r) { material->SetSpecularRange(r.data()); });
+  parser.Number("--specular-power", "P",
+    "Exponent of the highlight's falloff: larger is narrower. At least 0. Default: " +
+      text(material->GetSpecularPower()),
+    [material](double p) { material->SetSpecularPower(p); });
+  parser.Number("--kf", "K",
+    "Share of the diffuse light that is scattered forward, seen when the light is behind the "
+    "relief, "
+    "from 0 to 1. Default: " +
+      text(material->GetForwardScatterCoefficient()),
+    [material](double k) { material->SetForwardScatterCoefficient(k); });
+  parser.Numbers("--scatter-range", "LO,HI",
+    "Where forward scattering begins and is full: cosines of the angle between view and light's "
+    "way, 1 for a light straight behind. LO at most HI. Default: " +
+      text(material->GetForwardScatterRange(), 2),
+    { 2 },
+    [material](const std::vector<double>& r) { material->SetForwardScatterRange(r.data()); });
+  parser.Number("--scatter-power", "P",
+    "Exponent of the scattering's falloff. At least 0. Default: " +
+      text(material->GetForwardScatterPower()),
+    [material](double p) { material->SetForwardScatterPower(p); });
+  parser.Word("--depth", "T|auto",
+    "How far below the surface light is gathered, in units of length: small is crisp as stone, "
+    "large is soft as wax, 0 is opaque. At least 0. Default: auto, the mean spacing of the samples",
+    [material](const std::string& word)
+    {
+      if (word == "auto")
+      {
+        material->AutomaticSubsurfaceDepthOn();
+        return;
+      }
+      material->SetSubsurfaceDepth(toNumber("--depth", word));
+    });
+  parser.Choice("--offset",
+    "The way down to that depth: vertical, or normal to the surface, which shades slopes as the "
+    "cosine of the light's angle does. Default: vertical",
+    { { "vertical", [material] { material->SetOffsetModeToVertical(); } },
+      { "normal", [material] { material->SetOffsetModeToSurfaceNormal(); } } });
+  parser.Choice("--attenuation",
+    "How the thickness r that light has passed dims it: T/r, or exp(-A (r - T)). Default: "
+    "reciprocal",
+    { { "reciprocal", [material] { material->SetAttenuationToReciprocal(); } },
+      { "exponential", [material] { material->SetAttenuationToExponential(); } } });
+  parser.Number("--density", "A",
+    "Density of the exponential attenuation, per unit of length. At least 0. Default: " +
+      text(material->GetDensity()),
+    [material](double a) { material->SetDensity(a); });
+  parser.Number("--floor", "H",
+    "Scaled height at which the material ends below, so that light comes through from behind. "
+    "Default: it has no bottom",
+    [material](double h)
+    {
+      material->SetFloorHeight(h);
+      material->UseFloorOn();
+    });
+}
+
+//------------------------------------------------------------------------------
+void addRunOptions(OptionParser& parser, Options& options)
+{
+  vtkReliefScene* scene = options.Scene;
+  parser.SetGroup("Computation");
+  parser.Choice("--integrator",
+    "Thickness in closed form, or from a fixed number of points along each ray, as the model was "
+    "first published. Default: exact",
+    { { "exact", [scene] { scene->SetIntegratorToExact(); } },
+      { "fixed-step", [scene] { scene->SetIntegratorToFixedStep(); } } });
+  parser.Number("--tolerance", "E",
+    "How far exact's illumination (0 to 1) may be off. At least 0. Default: " +
+      text(scene->GetTolerance()),
+    [scene](double e) { scene->SetTolerance(e); });
+  parser.Word("--steps", "N",
+    "Points along a ray of fixed-step. From 1 to 1000000. Default: " +
+      std::to_string(scene->GetNumberOfSteps()),
+    [scene](const std::string& word) { scene->SetNumberOfSteps(toCount("--steps", word)); });
+  parser.Word("--threads", "N",
+    "Threads to shade with. At least 1. Default: one for each processor. The result does not "
+    "depend on it",
+    [&options](const std::string& word) { options.Threads = toCount("--threads", word); });
+
+  parser.SetGroup("Output");
+  parser.Choice("--type",
+    "uint8: sRGB-encoded, 0 to 255; float: linear; auto: float where OUTPUT is OpenEXR, Radiance "
+    "HDR or PFM, else uint8. Default: auto",
+    { { "auto", [&options] { options.OutputType = VTK_VOID; } },
+      { "uint8", [&options] { options.OutputType = VTK_UNSIGNED_CHAR; } },
+      { "float", [&options] { options.OutputType = VTK_FLOAT; } } });
+  std::string names;
+  for (const std::string& name : layerNames())
+  {
+    names += (names.empty() ? "" : ",") + name;
+  }
+  parser.Word("--layers", "NAME[,NAME...]",
+    "Writes parts of the result beside OUTPUT, as OUTPUT's name without its extension, a hyphen "
+    "and "
+    "the layer's name: OpenEXR if OUTPUT is, else TIFF, 32-bit float, NaN where there is no data. "
+    "illumination: share of the light that gets through; thickness: length of the first light's "
+    "way "
+    "inside the material; normals: unit surface normals; base, diffuse, scatter, specular: linear "
+    "colours that sum to the result",
+    [&options, names](const std::string& list)
+    {
+      for (const std::string& name : split(list))
+      {
+        const auto& known = layerNames();
+        if (std::find(known.begin(), known.end(), name) == known.end())
+        {
+          throw Failure("--layers", "'" + name + "' is none of " + names, UsageFailure);
+        }
+        options.Layers.push_back(name);
+      }
+    });
+  parser.Flag("--statistics",
+    "Prints what was read and done to the standard output, one 'name: value' in a line",
+    options.Statistics);
+  parser.Flag("--quiet",
+    "Neither warnings nor the progress bar that a terminal (standard error) gets", options.Quiet);
+}
+
+//------------------------------------------------------------------------------
+const char* const Usage =
+  "Usage: reliefshade INPUT OUTPUT [OPTION...]\n\n"
+  "Shades a height field: light, soft shadows, translucency and highlights.\n\n"
+  "INPUT   heights: "
+#ifdef RELIEFSHADE_USE_GDAL
+  "any raster that GDAL reads (GeoTIFF, ESRI ASCII grid, ...)\n"
+  "        or any grey picture that OpenImageIO reads (PNG, TIFF, OpenEXR, ...).\n"
+#else
+  "an ESRI ASCII grid or any grey picture that OpenImageIO\n"
+  "        reads (PNG, TIFF, OpenEXR, ...); georeferences of GeoTIFF are not read by\n"
+  "        this build.\n"
+#endif
+  "OUTPUT  the picture, in the format of its extension; an existing file is replaced.\n"
+  "        Samples without data are transparent, or black where the format has no\n"
+  "        transparency."
+#ifdef RELIEFSHADE_USE_GDAL
+  " TIFF keeps the georeference of INPUT."
+#endif
+  "\n";
+
+const char* const Footer =
+  "Coordinates\n"
+  "  Rasters with a georeference: x and y of --point are map coordinates in the map's own\n"
+  "  unit (longitude and latitude for geographic ones), z is the scaled height in metres.\n"
+  "  Pictures without: x to the right and y upward from the centre of the lower left\n"
+  "  sample, z the scaled height, all in the unit of --spacing.\n"
+  "Units of length\n"
+  "  Metres for georeferenced rasters: map units are converted, and degrees become the\n"
+  "  metres that they are along the parallel and the meridian at the raster's centre, on\n"
+  "  its ellipsoid. Heights are taken for metres unless the file names another unit. All\n"
+  "  this gives way to --spacing, which brings a unit of your own.\n"
+  "Exit codes\n"
+  "  0 done; 1 a file could not be read, shaded or written; 2 the command line was wrong;\n"
+  "  130 interrupted. After an error a file that was there before is untouched.\n"
+  "Examples\n"
+  "  reliefshade terrain.tif shaded.tif\n"
+  "  reliefshade terrain.tif shaded.png --sun 315,30 --sun 45,60,0.3 --depth 200\n"
+  "  reliefshade grid.asc shaded.exr --degrees --layers illumination,normals\n"
+  "  reliefshade relief.png wax.png --height-scale 0.01 --kf 0.5 --point 100,200,80";
+
+//------------------------------------------------------------------------------
+std::string HelpFormatter::make_usage(const CLI::App*, std::string) const
+{
+  return Usage;
+}
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& layerNames()
+{
+  static const std::vector<std::string> names{ "illumination", "thickness", "normals", "base",
+    "diffuse", "scatter", "specular" };
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool parseOptions(int argc, char* argv[], Options& options)
+{
+  CLI::App app("", "reliefshade");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_flag(""); // for the time being: it is to come last in the help
+  app.footer(Footer);
+  app.add_option("INPUT", options.Input)->group("");
+  app.add_option("OUTPUT", options.Output)->group("");
+  OptionParser parser(app);
+  addInputOptions(parser, options);
+  addLightOptions(parser, options);
+  addMaterialOptions(parser, options);
+  addRunOptions(parser, options);
+  app.set_help_flag("-h,--help", "Prints this and ends")->group("Output");
+  app
+    .set_version_flag(
+      "--version", "reliefshade " RELIEFSHADE_VERSION, "Prints the version and ends")
+    ->group("Output");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::CallForHelp&)
+  {
+    std::cout << app.help();
+    return false;
+  }
+  catch (const CLI::CallForVersion& version)
+  {
+    std::cout << version.what() << "\n";
+    return false;
+  }
+  catch (const CLI::ExtrasError&)
+  {
+    const std::string word = app.remaining(true).front();
+    const bool option = word.size() > 1 && word[0] == '-';
+    throw Failure(
+      word, option ? "unknown option; see --help" : "a third file; see --help", UsageFailure);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    const std::string message = oneLine(error.what());
+    const bool repeated = message.find("At Most") != std::string::npos;
+    throw Failure("",
+      repeated ? message.substr(0, message.find(':')) + ": is given more than once" : message,
+      UsageFailure);
+  }
+  if (options.Input.empty() || options.Output.empty())
+  {
+    throw Failure(
+      options.Input.empty() ? "INPUT" : "OUTPUT", "is missing; see --help", UsageFailure);
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Options_h
+#define Options_h
+
+#include "RasterReader.h"
+
+#include "vtkNew.h"
+#include "vtkReliefScene.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reliefshade
+{
+
+/// What the command line asks for.
+struct Options
+{
+  std::string Input;
+  std::string Output;
+  std::string Mask;
+  ReadOptions Reading;
+  /// From one sample to the next along x and y, in place of the file's.
+  std::optional<std::array<double, 2>> Spacing;
+
+  /// Material, lights and accuracy. The positions of positional lights are still those of the map.
+  vtkNew<vtkReliefScene> Scene;
+
+  /// VTK_FLOAT, VTK_UNSIGNED_CHAR, or VTK_VOID to go by the output's extension.
+  int OutputType = VTK_VOID;
+  /// Names of layers, of those that layerNames() lists.
+  std::vector<std::string> Layers;
+
+  int Threads = 0;
+  bool Statistics = false;
+  bool Quiet = false;
+};
+
+/// Reads the command line. Returns false if it asked for help or the version, which are then
+/// printed. Throws a Failure that names the option.
+bool parseOptions(int argc, char* argv[], Options& options);
+
+/// The layers that can be written, in lower case.
+const std::vector<std::string>& layerNames();
+
+}
+
+#endif

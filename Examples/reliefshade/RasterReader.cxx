@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RasterReader.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "Watch.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkNew.h"
+#include "vtkOpenImageIOReader.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+void readPicture(const std::string& file, const ReadOptions& options, Raster& raster)
+{
+  vtkNew<vtkOpenImageIOReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->AlphaAsMaskOn();
+  watch(reader, false);
+  reader->Update();
+  stopIfInterrupted();
+  if (hasError())
+  {
+    throw std::runtime_error(takeError());
+  }
+  vtkImageData* picture = reader->GetOutput();
+  const bool masked = picture->GetPointData()->GetArray("Alpha") != nullptr;
+  const int components = picture->GetNumberOfScalarComponents();
+  if (options.Band > components)
+  {
+    throw std::runtime_error(
+      "it has no band " + std::to_string(options.Band) + ", only " + std::to_string(components));
+  }
+  raster.Heights = picture;
+  if (components != 1)
+  {
+    if (options.Band == 0)
+    {
+      throw std::runtime_error(std::to_string(components) +
+        " components; expected 1 (height); --band takes one of them as heights");
+    }
+    vtkNew<vtkImageExtractComponents> extract;
+    extract->SetInputData(picture);
+    extract->SetComponents(options.Band - 1);
+    extract->Update();
+    raster.Heights = extract->GetOutput();
+  }
+  if (masked)
+  {
+    raster.Mask = reader->GetMaskOutput();
+  }
+}
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+Raster readRaster(const std::string& file, const ReadOptions& options)
+{
+  try
+  {
+    Raster raster;
+    std::error_code code;
+    if (std::filesystem::is_directory(file, code))
+    {
+      throw std::runtime_error("is a directory");
+    }
+    if (!readReferenced(file, options, raster))
+    {
+      readPicture(file, options, raster);
+    }
+    if (!options.NoDataFromFile)
+    {
+      raster.NoData = options.NoData;
+    }
+    markNoData(raster);
+    applyScale(raster);
+    return raster;
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(file, "not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(file, withoutName(oneLine(error.what()), file));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool looksLikeDegrees(const Raster& raster)
+{
+  if (!raster.Reference.Present || !raster.Reference.Crs.empty() || raster.Geographic)
+  {
+    return false;
+  }
+  int size[3];
+  raster.Heights->GetDimensions(size);
+  const double east = raster.MapOrigin[0] + size[0] * raster.MapStep[0];
+  const double north = raster.MapOrigin[1] + size[1] * raster.MapStep[1];
+  // Grids of metres are seldom finer than a tenth and start at the map's origin where they are.
+  return raster.MapStep[0] < 0.1 && raster.MapOrigin[0] >= -181.0 && east <= 361.0 &&
+    raster.MapOrigin[1] >= -91.0 && north <= 91.0;
+}
+
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RasterReader_h
+#define RasterReader_h
+
+#include "Raster.h"
+
+#include <string>
+
+namespace reliefshade
+{
+
+struct ReadOptions
+{
+  /// Which band of the file holds the heights, from 1; 0 for the first, refused if that is a
+  /// colour.
+  int Band = 0;
+  /// Take the map coordinates of a file without a coordinate reference system as degrees on WGS 84.
+  bool Degrees = false;
+  /// Which height stands for no data: what the file says, or else NoData, which may be none.
+  bool NoDataFromFile = true;
+  std::optional<double> NoData;
+};
+
+/// Reads heights from any file that one of the backends knows, in the file's own number type.
+/// Throws a Failure that names the file.
+Raster readRaster(const std::string& file, const ReadOptions& options);
+
+/// Whether the coordinates could be degrees although nothing in the file says so.
+bool looksLikeDegrees(const Raster& raster);
+
+/// The backend for rasters that know their place on the map: all that GDAL reads
+/// (RasterReaderGDAL.cxx) or, where the program is built without it, ESRI ASCII grids
+/// (RasterReaderPlain.cxx). Returns false if the file is not one of its own; throws a
+/// std::runtime_error if it is one but cannot be read.
+bool readReferenced(const std::string& file, const ReadOptions& options, Raster& raster);
+
+}
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RasterWriter.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "Watch.h"
+
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkImageExtractComponents.h"
+#include "vtkNew.h"
+#include "vtkOpenImageIOWriter.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+bool isTiff(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".tif" || extension == ".tiff";
+}
+
+//------------------------------------------------------------------------------
+/// Returns the writer's error code; the message is left to be taken.
+unsigned long writePicture(const std::string& file, vtkImageData* image, bool dropAlpha)
+{
+  vtkNew<vtkImageExtractComponents> colours;
+  vtkNew<vtkOpenImageIOWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(image);
+  if (dropAlpha)
+  {
+    colours->SetInputData(image);
+    colours->SetComponents(0, 1, 2);
+    writer->SetInputConnection(colours->GetOutputPort());
+  }
+  watch(writer, false);
+  writer->Write();
+  return writer->GetErrorCode();
+}
+
+//------------------------------------------------------------------------------
+/// What to say about an error of the writer, in terms of this program's command line.
+std::string reason(
+  unsigned long error, const std::string& file, const std::string& written, int type)
+{
+  const std::string message = withoutName(takeError(), written);
+  switch (error)
+  {
+    case vtkErrorCode::UnrecognizedFileTypeError:
+      return "no format that is written has the extension '" +
+        std::filesystem::path(file).extension().string() + "'";
+    case vtkErrorCode::FileFormatError:
+      return type == VTK_FLOAT ? "its format does not hold 32-bit float; see --type"
+                               : "its format does not hold 8-bit colour; see --type";
+    default:
+      return message;
+  }
+}
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+RasterWriter::RasterWriter(
+  const std::string& file, int scalarType, int components, const GeoReference& reference)
+  : File(file)
+  , Reference(reference)
+{
+  namespace fs = std::filesystem;
+  std::error_code code;
+  if (fs::is_directory(file, code))
+  {
+    throw Failure(file, "is a directory");
+  }
+  const fs::path directory = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
+  if (!fs::is_directory(directory, code))
+  {
+    throw Failure(file, "there is no directory " + directory.string());
+  }
+#ifdef RELIEFSHADE_USE_GDAL
+  this->Referenced = reference.Present && isTiff(file);
+#endif
+
+  vtkNew<vtkImageData> sample;
+  sample->SetDimensions(16, 16, 1);
+  sample->AllocateScalars(scalarType, components);
+  sample->GetPointData()->GetScalars()->Fill(0.0);
+  const fs::path name = fs::path(file).filename();
+  const std::string trial =
+    (directory / (".reliefshade-" + std::to_string(processNumber()) + name.extension().string()))
+      .string();
+  unsigned long error = writePicture(trial, sample, false);
+  if (error == vtkErrorCode::FileFormatError && components == 4)
+  {
+    takeError();
+    this->DropAlpha = true;
+    error = writePicture(trial, sample, true);
+  }
+  fs::remove(trial, code);
+  stopIfInterrupted();
+  if (error != vtkErrorCode::NoError)
+  {
+    throw Failure(file, reason(error, file, trial, scalarType));
+  }
+}
+
+//------------------------------------------------------------------------------
+void RasterWriter::Write(vtkImageData* image)
+{
+  if (this->Referenced)
+  {
+#ifdef RELIEFSHADE_USE_GDAL
+    try
+    {
+      writeGeoTiff(this->File, image, this->Reference);
+    }
+    catch (const Failure&)
+    {
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      throw Failure(this->File, oneLine(error.what()));
+    }
+#endif
+    return;
+  }
+  const unsigned long error = writePicture(this->File, image, this->DropAlpha);
+  stopIfInterrupted();
+  if (error != vtkErrorCode::NoError || hasError())
+  {
+    throw Failure(this->File, reason(error, this->File, this->File, image->GetScalarType()));
+  }
+}
+
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RasterWriter_h
+#define RasterWriter_h
+
+#include "Raster.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace reliefshade
+{
+
+/// Writes one file. TIFF gets the georeference, where there is one and the program is built with
+/// GDAL; everything else is vtkOpenImageIOWriter's.
+class RasterWriter
+{
+public:
+  /// Finds out at once, with a picture of a few samples, whether the place and the format can take
+  /// the result: nobody wants to hear of it after the shading. Throws a Failure that names the
+  /// file.
+  RasterWriter(
+    const std::string& file, int scalarType, int components, const GeoReference& reference);
+
+  /// Writes the image's scalars; the file appears when it is whole. Throws a Failure.
+  void Write(vtkImageData* image);
+
+private:
+  std::string File;
+  const GeoReference& Reference;
+  bool Referenced = false;
+  /// The format has no alpha: samples without data, which are black, are not told apart.
+  bool DropAlpha = false;
+};
+
+/// The GDAL side of it (RasterWriterGDAL.cxx). Throws a std::runtime_error.
+void writeGeoTiff(const std::string& file, vtkImageData* image, const GeoReference& reference);
+
+}
+
+#endif

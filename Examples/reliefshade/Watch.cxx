@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Watch.h"
+
+#include "Failure.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#ifdef _WIN32
+#include <io.h>
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace
+{
+
+volatile std::sig_atomic_t signalled = 0;
+
+extern "C" void noteSignal(int number)
+{
+  signalled = 1;
+  std::signal(number, SIG_DFL);
+}
+
+class vtkWatch : public vtkCommand
+{
+public:
+  static vtkWatch* New() { return new vtkWatch; }
+
+  void Execute(vtkObject* caller, unsigned long event, void*) override
+  {
+    auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+    if (signalled)
+    {
+      algorithm->SetAbortExecute(1);
+    }
+    if (!this->Bar)
+    {
+      return;
+    }
+    if (event == vtkCommand::EndEvent)
+    {
+      // The bar has done its work: the line is cleared for what the program says next.
+      std::fprintf(stderr, "\r%*s\r", Width + 20, "");
+      this->Percent = -1;
+      return;
+    }
+    const int percent = static_cast<int>(100.0 * algorithm->GetProgress());
+    if (percent != this->Percent)
+    {
+      this->Percent = percent;
+      const int filled = Width * percent / 100;
+      const std::string bar = std::string(filled, '=') + std::string(Width - filled, ' ');
+      std::fprintf(stderr, "\rshading [%s] %3d %%", bar.c_str(), percent);
+    }
+  }
+
+  bool Bar = false;
+
+private:
+  static constexpr int Width = 50;
+  int Percent = -1;
+};
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+void catchSignals()
+{
+  std::signal(SIGINT, noteSignal);
+  std::signal(SIGTERM, noteSignal);
+}
+
+//------------------------------------------------------------------------------
+bool interrupted()
+{
+  return signalled != 0;
+}
+
+//------------------------------------------------------------------------------
+void stopIfInterrupted()
+{
+  if (interrupted())
+  {
+    throw Failure("", "interrupted", Interrupted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void watch(vtkAlgorithm* algorithm, bool bar)
+{
+  vtkNew<vtkWatch> command;
+  command->Bar = bar;
+  algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  algorithm->AddObserver(vtkCommand::EndEvent, command);
+}
+
+//------------------------------------------------------------------------------
+bool terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+long processNumber()
+{
+#ifdef _WIN32
+  return _getpid();
+#else
+  return getpid();
+#endif
+}
+
+}

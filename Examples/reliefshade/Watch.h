@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Watch_h
+#define Watch_h
+
+class vtkAlgorithm;
+
+namespace reliefshade
+{
+
+/// Lets SIGINT and SIGTERM end the run in order: long steps stop at their next progress event and
+/// take their unfinished files away. A second signal ends the program at once.
+void catchSignals();
+
+/// Whether one of these signals has come.
+bool interrupted();
+
+/// Throws the failure that ends an interrupted run.
+void stopIfInterrupted();
+
+/// Aborts the algorithm after a signal and, if `bar`, draws its progress on the standard error
+/// stream. It must outlive its last update.
+void watch(vtkAlgorithm* algorithm, bool bar);
+
+/// Whether a progress bar would be seen: the standard error stream is a terminal.
+bool terminal();
+
+/// The number of this process, for names of temporary files.
+long processNumber();
+
+}
+
+#endif

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// reliefshade: shades a height field from a file into a picture. Options.cxx describes the command
+// line, RasterReader.h and RasterWriter.h the files; this is what happens between them.
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "Options.h"
+#include "RasterReader.h"
+#include "RasterWriter.h"
+#include "Watch.h"
+
+#include "vtkCollectionRange.h"
+#include "vtkDataArray.h"
+#include "vtkImageReliefShading.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPointData.h"
+#include "vtkReliefMaterial.h"
+#include "vtkReliefStatistics.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+/// The mask of the command line; samples that the heights' own file masks out stay so.
+void addMask(const Options& options, Raster& raster)
+{
+  if (options.Mask.empty())
+  {
+    return;
+  }
+  const Raster mask = readRaster(options.Mask, ReadOptions());
+  int size[3];
+  int expected[3];
+  mask.Heights->GetDimensions(size);
+  raster.Heights->GetDimensions(expected);
+  if (!std::equal(size, size + 3, expected))
+  {
+    throw Failure(options.Mask,
+      std::to_string(size[0]) + " x " + std::to_string(size[1]) + " samples; expected " +
+        std::to_string(expected[0]) + " x " + std::to_string(expected[1]) + " as in " +
+        options.Input);
+  }
+  if (raster.Mask)
+  {
+    vtkDataArray* own = raster.Mask->GetPointData()->GetScalars();
+    vtkDataArray* given = mask.Heights->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < own->GetNumberOfTuples(); ++i)
+    {
+      if (own->GetComponent(i, 0) == 0.0)
+      {
+        given->SetComponent(i, 0, 0.0);
+      }
+    }
+  }
+  raster.Mask = mask.Heights;
+}
+
+//------------------------------------------------------------------------------
+/// Takes positional lights from map coordinates to the image's frame, whose origin is its first
+/// sample.
+void placeLights(const Raster& raster, vtkReliefScene* scene)
+{
+  for (vtkLight* light : vtk::Range(scene->GetLights()))
+  {
+    if (light->GetPositional())
+    {
+      double position[3];
+      light->GetPosition(position);
+      for (int k = 0; k < 2; ++k)
+      {
+        position[k] = (position[k] - raster.MapOrigin[k]) / raster.MapStep[k] * raster.Spacing[k];
+      }
+      light->SetPosition(position);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The name of a layer's array.
+std::string arrayName(std::string layer)
+{
+  layer[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(layer[0])));
+  return layer;
+}
+
+//------------------------------------------------------------------------------
+void generateLayer(const std::string& layer, vtkImageReliefShading* shading)
+{
+  shading->SetGenerateIllumination(shading->GetGenerateIllumination() || layer == "illumination");
+  shading->SetGenerateThickness(shading->GetGenerateThickness() || layer == "thickness");
+  shading->SetGenerateNormals(shading->GetGenerateNormals() || layer == "normals");
+  shading->SetGenerateBase(shading->GetGenerateBase() || layer == "base");
+  shading->SetGenerateDiffuse(shading->GetGenerateDiffuse() || layer == "diffuse");
+  shading->SetGenerateScatter(shading->GetGenerateScatter() || layer == "scatter");
+  shading->SetGenerateSpecular(shading->GetGenerateSpecular() || layer == "specular");
+}
+
+//------------------------------------------------------------------------------
+std::string lowerExtension(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+//------------------------------------------------------------------------------
+int outputType(const Options& options)
+{
+  if (options.OutputType != VTK_VOID)
+  {
+    return options.OutputType;
+  }
+  const std::string extension = lowerExtension(options.Output);
+  const bool linear = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+  return linear ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+}
+
+//------------------------------------------------------------------------------
+std::string layerFile(const Options& options, const std::string& layer)
+{
+  const std::filesystem::path output(options.Output);
+  const std::string extension = lowerExtension(options.Output) == ".exr" ? ".exr" : ".tif";
+  return (output.parent_path() / (output.stem().string() + "-" + layer + extension)).string();
+}
+
+//------------------------------------------------------------------------------
+/// One of the result's arrays as an image of its own.
+vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string& layer)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(result);
+  image->GetPointData()->SetScalars(result->GetPointData()->GetArray(arrayName(layer).c_str()));
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void printStatistics(
+  const Raster& raster, const Options& options, vtkReliefStatistics* statistics, double seconds)
+{
+  int size[3];
+  raster.Heights->GetDimensions(size);
+  std::cout.precision(10);
+  std::cout << "size: " << size[0] << " " << size[1] << "\n"
+            << "type: " << raster.Heights->GetScalarTypeAsString() << "\n"
+            << "spacing: " << raster.Spacing[0] << " " << raster.Spacing[1] << "\n"
+            << "height-scale: " << options.Scene->GetHeightScale() << "\n"
+            << "coordinates: "
+            << (!raster.Reference.Present         ? "none"
+                   : raster.Geographic            ? "geographic"
+                   : raster.Reference.Crs.empty() ? "unnamed"
+                                                  : "projected")
+            << "\n";
+  if (raster.NoData)
+  {
+    std::cout << "nodata: " << *raster.NoData << "\n";
+  }
+  std::cout << "threads: " << vtkSMPTools::GetEstimatedNumberOfThreads() << "\n"
+            << "effects: " << statistics->GetEffectNames() << "\n"
+            << "lights-traced: " << statistics->GetLightsTraced() << "\n"
+            << "rays-traced: " << statistics->GetRaysTraced() << "\n"
+            << "cells-visited: " << statistics->GetCellsVisited() << "\n"
+            << "seconds: " << seconds << std::endl;
+}
+
+//------------------------------------------------------------------------------
+void setThreads(int count)
+{
+  // A VTK whose default is one thread has others built in all the same; the user's choice of one of
+  // them goes first.
+  if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
+    !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    vtkSMPTools::SetBackend("STDThread");
+  }
+  vtkSMPTools::Initialize(count);
+}
+
+//------------------------------------------------------------------------------
+void run(const Options& options)
+{
+  Raster raster = readRaster(options.Input, options.Reading);
+  addMask(options, raster);
+  if (options.Spacing)
+  {
+    raster.Spacing = *options.Spacing;
+    raster.HeightUnit = 1.0;
+  }
+  else if (looksLikeDegrees(raster) && !options.Quiet)
+  {
+    std::cerr << "reliefshade: " << options.Input
+              << ": warning: its coordinates look like degrees, but it names no coordinate "
+                 "reference system; --degrees takes them as such\n";
+  }
+  if (!raster.Reference.Present)
+  {
+    raster.MapStep = raster.Spacing;
+  }
+  raster.Heights->SetOrigin(0.0, 0.0, 0.0);
+  raster.Heights->SetSpacing(raster.Spacing[0], raster.Spacing[1], 1.0);
+  if (raster.Mask)
+  {
+    raster.Mask->SetOrigin(raster.Heights->GetOrigin());
+    raster.Mask->SetSpacing(raster.Heights->GetSpacing());
+  }
+  options.Scene->SetHeightScale(options.Scene->GetHeightScale() * raster.HeightUnit);
+  placeLights(raster, options.Scene);
+
+  const int type = outputType(options);
+  RasterWriter writer(options.Output, type, 4, raster.Reference);
+
+  setThreads(options.Threads);
+  vtkNew<vtkImageReliefShading> shading;
+  shading->SetInputData(raster.Heights);
+  if (raster.Mask)
+  {
+    shading->SetMaskData(raster.Mask);
+  }
+  if (raster.NoData)
+  {
+    shading->SetNoDataValue(*raster.NoData);
+  }
+  shading->SetScene(options.Scene);
+  shading->SetOutputScalarType(type);
+  for (const std::string& layer : options.Layers)
+  {
+    generateLayer(layer, shading);
+  }
+  watch(shading, terminal() && !options.Quiet);
+  const auto start = std::chrono::steady_clock::now();
+  shading->Update();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  stopIfInterrupted();
+  if (hasError())
+  {
+    throw Failure(options.Input, takeError());
+  }
+
+  vtkImageData* result = shading->GetOutput();
+  writer.Write(result);
+  for (const std::string& layer : options.Layers)
+  {
+    const auto image = layerImage(result, layer);
+    RasterWriter(
+      layerFile(options, layer), VTK_FLOAT, image->GetNumberOfScalarComponents(), raster.Reference)
+      .Write(image);
+  }
+  if (options.Statistics)
+  {
+    printStatistics(raster, options, shading->GetStatistics(), seconds.count());
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  catchMessages();
+  catchSignals();
+  try
+  {
+    Options options;
+    if (parseOptions(argc, argv, options))
+    {
+      run(options);
+    }
+    return Success;
+  }
+  catch (const Failure& failure)
+  {
+    std::cerr << "reliefshade: " << failure.what() << std::endl;
+    return failure.Code;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "reliefshade: not enough memory" << std::endl;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "reliefshade: " << oneLine(error.what()) << std::endl;
+  }
+  return RunFailure;
+}
