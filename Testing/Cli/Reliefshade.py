@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of reliefshade share: running it, making small rasters, reading pictures.
+
+The environment names the program (RELIEFSHADE), whether it is built with GDAL
+(RELIEFSHADE_GDAL, 1 or 0) and the folder of example data (RELIEFSHADE_DATA).
+Only the standard library is used; gdal_translate and gdalinfo where they are installed.
+"""
+
+import json
+import os
+import shutil
+import struct
+import subprocess
+import tempfile
+import unittest
+import zlib
+
+PROGRAM = os.environ["RELIEFSHADE"]
+GDAL = os.environ["RELIEFSHADE_GDAL"] == "1"
+JACKSBORO = os.path.join(os.environ["RELIEFSHADE_DATA"], "jacksboro.tif")
+
+needsGdal = unittest.skipUnless(GDAL, "built without GDAL")
+needsGdalTools = unittest.skipUnless(
+    GDAL and shutil.which("gdal_translate") and shutil.which("gdalinfo"),
+    "needs GDAL and the tools of gdal-bin",
+)
+
+
+def srgb(linear):
+    """The 8-bit value of a linear one."""
+    linear = min(max(linear, 0.0), 1.0)
+    encoded = 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
+    return round(255 * encoded)
+
+
+class Picture:
+    """An 8-bit PNG: picture[x, y] is a tuple of components, y downward from the top."""
+
+    def __init__(self, name):
+        with open(name, "rb") as stream:
+            data = stream.read()
+        assert data[:8] == b"\x89PNG\r\n\x1a\n"
+        at, compressed = 8, b""
+        while at < len(data):
+            (length,), kind = struct.unpack(">I", data[at : at + 4]), data[at + 4 : at + 8]
+            chunk = data[at + 8 : at + 8 + length]
+            at += 12 + length
+            if kind == b"IHDR":
+                self.width, self.height, depth, colour = struct.unpack(">IIBB", chunk[:10])
+                assert depth == 8 and chunk[12] == 0
+                self.components = {0: 1, 2: 3, 4: 2, 6: 4}[colour]
+            elif kind == b"IDAT":
+                compressed += chunk
+        raw, step = zlib.decompress(compressed), self.components
+        stride = self.width * step
+        self.rows, above = [], bytes(stride)
+        for y in range(self.height):
+            kind = raw[y * (stride + 1)]
+            row = bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
+            for i in range(stride):
+                a = row[i - step] if i >= step else 0
+                b = above[i]
+                c = above[i - step] if i >= step else 0
+                near = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+                row[i] = (row[i] + (0, a, b, (a + b) // 2, near)[kind]) & 255
+            self.rows.append(bytes(row))
+            above = row
+
+    def __getitem__(self, place):
+        x, y = place
+        return tuple(self.rows[y][x * self.components : (x + 1) * self.components])
+
+    def __eq__(self, other):
+        return self.rows == other.rows
+
+    def flipped(self):
+        self.rows.reverse()
+        return self
+
+
+class Case(unittest.TestCase):
+    """Runs each test in an empty folder of its own."""
+
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="reliefshade-test-")
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_(self, *words, **options):
+        words = [str(word) for word in words]
+        return subprocess.run(
+            [PROGRAM, *words], capture_output=True, text=True, cwd=self.folder, **options
+        )
+
+    def good(self, *words):
+        """Runs it; it must succeed and say nothing on the error stream. Returns its output."""
+        result = self.run_(*words)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result.stdout
+
+    def bad(self, code, fragments, *words, **options):
+        """Runs it; it must fail with one line that has all of the fragments."""
+        result = self.run_(*words, **options)
+        self.assertEqual(result.returncode, code, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("reliefshade: "), lines[0])
+        for fragment in [fragments] if isinstance(fragments, str) else fragments:
+            self.assertIn(fragment, lines[0])
+        self.assertNotRegex(lines[0], r"ERROR|\(0x[0-9a-f]{6}|vtk|\.cxx|\.tmp")
+        return lines[0]
+
+    def shade(self, *words):
+        """Shades into a PNG and returns the picture; the first word is the input."""
+        self.good(words[0], "shaded.png", *words[1:])
+        return Picture(self.path("shaded.png"))
+
+    def statistics(self, *words):
+        """The statistics of a run as a dictionary."""
+        output = self.good(words[0], "statistics.png", "--statistics", *words[1:])
+        return dict(line.split(": ", 1) for line in output.splitlines())
+
+    def grid(self, heights, name="grid.asc", nodata=None, size=1, corner=(0, 0), kind="corner"):
+        """Writes an ESRI ASCII grid; the rows of the list begin with the northern one."""
+        with open(self.path(name), "w") as stream:
+            stream.write("ncols %d\nnrows %d\n" % (len(heights[0]), len(heights)))
+            stream.write("xll%s %.10g\nyll%s %.10g\n" % (kind, corner[0], kind, corner[1]))
+            stream.write("cellsize %.10g\n" % size)
+            if nodata is not None:
+                stream.write("NODATA_value %s\n" % nodata)
+            for row in heights:
+                stream.write(" ".join(str(value) for value in row) + "\n")
+        return name
+
+    def plane(self, height=5, name="plane.asc", width=8, **options):
+        return self.grid([[height] * width for _ in range(width)], name, **options)
+
+    def ramp(self, name="ramp.asc", **options):
+        """Rises by 1 per sample eastward."""
+        return self.grid([list(range(8)) for _ in range(8)], name, **options)
+
+    def hills(self, name="hills.asc", **options):
+        """Rough enough that every option shows."""
+        return self.grid(
+            [[(x * 7 + y * 5 + x * y) % 11 for x in range(16)] for y in range(12)], name, **options
+        )
+
+    def png(self, rows, name, components=1):
+        """Writes a 16-bit PNG, grey or grey and alpha; the rows begin with the upper one."""
+
+        def chunk(kind, data):
+            check = zlib.crc32(kind + data)
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
+
+        width = len(rows[0]) // components
+        header = struct.pack(">IIBBBBB", width, len(rows), 16, {1: 0, 2: 4}[components], 0, 0, 0)
+        data = b"".join(b"\0" + struct.pack(">%dH" % len(row), *row) for row in rows)
+        with open(self.path(name), "wb") as stream:
+            stream.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header))
+            stream.write(chunk(b"IDAT", zlib.compress(data)) + chunk(b"IEND", b""))
+        return name
+
+    def tool(self, *words):
+        words = [str(word) for word in words]
+        done = subprocess.run(words, check=True, cwd=self.folder, capture_output=True, text=True)
+        return done.stdout
+
+    def tiff(self, source, name, *words):
+        """A GeoTIFF of a raster, by gdal_translate."""
+        self.tool("gdal_translate", "-q", "-of", "GTiff", *words, source, name)
+        return name
+
+    def info(self, name):
+        return json.loads(self.tool("gdalinfo", "-json", name))
+
+    def values(self, name, band=1):
+        """The samples of a band as floats, row by row from the top."""
+        self.tool(
+            "gdal_translate", "-q", "-of", "ENVI", "-ot", "Float32", "-b", band, name, "v.raw"
+        )
+        with open(self.path("v.raw"), "rb") as stream:
+            data = stream.read()
+        return struct.unpack("<%df" % (len(data) // 4), data)
