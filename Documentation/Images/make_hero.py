@@ -16,7 +16,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 from vtkmodules.vtkFiltersTexture import vtkTextureMapToPlane
-from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageChangeInformation, vtkImageResample
+from vtkmodules.vtkImagingCore import (vtkImageCast, vtkImageChangeInformation, vtkImageResample,
+                                        vtkImageResize, vtkImageSincInterpolator)
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter, vtkTIFFReader
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkTexture, vtkWindowToImageFilter)
@@ -32,11 +33,6 @@ OVERSAMPLING = 2
 def pixels(image):
     columns, rows, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[..., :3]
-
-
-def shrunk(array, factor):
-    rows, columns, _ = array.shape
-    return array.reshape(rows // factor, factor, columns // factor, factor, 3).mean(axis=(1, 3))
 
 
 def terrain(width, height):
@@ -113,7 +109,8 @@ def terrain(width, height):
     picture.SetInput(window)
     picture.ReadFrontBufferOff()
     picture.Update()
-    return shrunk(pixels(picture.GetOutput()), OVERSAMPLING)
+    fine = pixels(picture.GetOutput())
+    return fine.reshape(height, OVERSAMPLING, width, OVERSAMPLING, 3).mean(axis=(1, 3))
 
 
 def run_example(name, picture, *arguments):
@@ -121,11 +118,17 @@ def run_example(name, picture, *arguments):
                     IMAGES / picture], check=True)
 
 
-def relief(picture):
+def relief(picture, size):
     reader = vtkPNGReader()
     reader.SetFileName(str(IMAGES / picture))
-    reader.Update()
-    return shrunk(pixels(reader.GetOutput())[50:850, 50:850], 2)
+    sinc = vtkImageSincInterpolator()
+    sinc.AntialiasingOn()
+    resize = vtkImageResize()
+    resize.SetInputConnection(reader.GetOutputPort())
+    resize.SetInterpolator(sinc)
+    resize.SetOutputDimensions(size, size, 1)
+    resize.Update()
+    return pixels(resize.GetOutput())
 
 
 def main():
@@ -135,7 +138,7 @@ def main():
     run_example("BacklitMedallion", "backlit-medallion.png")
 
     # Row 0 is at the bottom, as in an image of VTK.
-    reliefs = np.vstack((relief("backlit-medallion.png"), relief("medallion.png")))
+    reliefs = np.vstack((relief("backlit-medallion.png", 400), relief("medallion.png", 400)))
     colors = np.hstack((terrain(1200, 800), reliefs)).round().astype(np.uint8)
     image = vtkImageData()
     image.SetDimensions(colors.shape[1], colors.shape[0], 1)
