@@ -9,10 +9,10 @@
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkReliefConversion.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefStatistics.h"
@@ -25,23 +25,14 @@
 #include <cmath>
 #include <new>
 #include <sstream>
+#include <tuple>
 
 vtkStandardNewMacro(vtkImageReliefShading);
 
-static_assert(
-  static_cast<int>(vtkReliefMaterial::SurfaceNormal) == relief::f64::RELIEF_SURFACE_NORMAL);
-static_assert(static_cast<int>(vtkReliefMaterial::Exponential) == relief::f64::RELIEF_EXPONENTIAL);
 static_assert(static_cast<int>(vtkReliefStatistics::Illumination) == relief::IlluminationEffect);
 static_assert(static_cast<int>(vtkReliefStatistics::Normals) == relief::NormalsEffect);
 static_assert(static_cast<int>(vtkReliefStatistics::Specular) == relief::SpecularEffect);
 static_assert(static_cast<int>(vtkReliefStatistics::ForwardScatter) == relief::ScatterEffect);
-
-class vtkImageReliefShading::Internals
-{
-public:
-  vtkSmartPointer<vtkReliefScene> Scene = vtkSmartPointer<vtkReliefScene>::New();
-  vtkNew<vtkReliefStatistics> Statistics;
-};
 
 namespace
 {
@@ -52,113 +43,13 @@ void ForRows(int count, const std::function<void(int, int)>& body)
     [&](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
 }
 
-// The image's own frame: world coordinates with origin and direction taken off, its first sample at
-// (0, 0), x and y growing with the index.
-class ImageFrame
+// Whether lights may be swept in lockstep, for which the heights are copied with a margin. In a
+// narrow image the margin would outweigh the samples, and little would be won.
+bool IsSwept(vtkReliefScene* scene, int columns)
 {
-public:
-  // Returns an empty text, or what is wrong with the image.
-  std::string Assign(vtkImageData* image)
-  {
-    const int* extent = image->GetExtent();
-    const double* spacing = image->GetSpacing();
-    std::copy_n(image->GetOrigin(), 3, this->Origin);
-    std::copy_n(image->GetDirectionMatrix()->GetData(), 9, this->Direction);
-    std::ostringstream message;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      if (!std::isfinite(spacing[axis]) || spacing[axis] == 0.0)
-      {
-        message << "the spacing is (" << spacing[0] << ", " << spacing[1]
-                << "), finite numbers other than 0 are expected";
-        return message.str();
-      }
-      this->Spacing[axis] = std::abs(spacing[axis]);
-      this->Sign[axis] = spacing[axis] < 0.0 ? -1.0 : 1.0;
-      this->First[axis] = extent[2 * axis] * this->Spacing[axis];
-    }
-    vtkMatrix3x3::Invert(this->Direction, this->Inverse);
-    if (!std::isfinite(this->Origin[0] + this->Origin[1] + this->Origin[2]) ||
-      vtkMatrix3x3::Determinant(this->Direction) == 0.0)
-    {
-      return "origin and direction matrix must be finite, and the matrix regular";
-    }
-    return std::string();
-  }
-
-  glm::dvec3 VectorFromWorld(const double world[3]) const
-  {
-    double local[3];
-    vtkMatrix3x3::MultiplyPoint(this->Inverse, world, local);
-    return { local[0] * this->Sign[0], local[1] * this->Sign[1], local[2] };
-  }
-
-  glm::dvec3 PointFromWorld(const double world[3]) const
-  {
-    const double fromOrigin[3] = { world[0] - this->Origin[0], world[1] - this->Origin[1],
-      world[2] - this->Origin[2] };
-    return this->VectorFromWorld(fromOrigin) - glm::dvec3(this->First[0], this->First[1], 0.0);
-  }
-
-  bool IsWorld() const
-  {
-    static const double identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-    return this->Sign[0] > 0.0 && this->Sign[1] > 0.0 &&
-      std::equal(identity, identity + 9, this->Direction);
-  }
-
-  void NormalToWorld(float* n) const
-  {
-    const double local[3] = { n[0] * this->Sign[0], n[1] * this->Sign[1], n[2] };
-    double world[3];
-    vtkMatrix3x3::MultiplyPoint(this->Direction, local, world);
-    std::copy_n(world, 3, n);
-  }
-
-  double Spacing[2] = { 1.0, 1.0 };
-
-private:
-  double Origin[3];
-  double Direction[9];
-  double Inverse[9];
-  double Sign[2] = { 1.0, 1.0 };
-  double First[2] = { 0.0, 0.0 };
-};
-
-// Checks that an image is one slice of scalars of one component. Returns an empty text, or what is
-// wrong.
-std::string CheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what)
-{
-  std::ostringstream message;
-  const int* extent = image->GetExtent();
-  if (image->GetNumberOfPoints() < 1)
-  {
-    message << "the " << what << " image is empty";
-  }
-  else if (extent[4] != extent[5])
-  {
-    message << "the " << what << " image has " << extent[5] - extent[4] + 1
-            << " slices, 1 is expected";
-  }
-  else if (!scalars)
-  {
-    message << "the " << what << " image has no scalars";
-  }
-  else if (scalars->GetNumberOfComponents() != 1)
-  {
-    message << "the " << what << " image has " << scalars->GetNumberOfComponents()
-            << " components, 1 is expected";
-  }
-  else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    message << "the " << what << " array has " << scalars->GetNumberOfTuples() << " values, "
-            << image->GetNumberOfPoints() << " are expected";
-  }
-  else if (scalars->GetDataType() == VTK_BIT)
-  {
-    message << "the " << what << " scalars are bits, a numeric type is expected";
-  }
-  return message.str();
+  return columns >= 64 && scene->GetIntegrator() == vtkReliefScene::Exact &&
+    scene->GetMaterial()->GetOffsetMode() == vtkReliefMaterial::Vertical &&
+    !scene->GetMaterial()->GetUseFloor();
 }
 
 template <class T>
@@ -169,83 +60,6 @@ std::function<bool(int, int)> ReadMask(const T* mask, int columns)
     T value = mask[static_cast<std::ptrdiff_t>(j) * columns + i];
     return value == value && value != 0;
   };
-}
-
-// One of vtkLight's lights in the image's frame. Returns an empty text, or what is wrong with it.
-std::string ConvertLight(
-  vtkLight* light, const ImageFrame& frame, double datum, relief::Light& result)
-{
-  double position[3];
-  double focal[3];
-  light->GetTransformedPosition(position);
-  light->GetTransformedFocalPoint(focal);
-  result.color = glm::dvec3(
-    light->GetDiffuseColor()[0], light->GetDiffuseColor()[1], light->GetDiffuseColor()[2]);
-  result.intensity = light->GetIntensity();
-  result.positional = light->GetPositional() != 0;
-  if (!std::isfinite(result.intensity) ||
-    !std::isfinite(result.color.x + result.color.y + result.color.z))
-  {
-    return "its intensity and colour must be finite";
-  }
-  if (!std::isfinite(position[0] + position[1] + position[2]))
-  {
-    return "its position must be finite";
-  }
-  if (result.positional)
-  {
-    result.vector = frame.PointFromWorld(position) - glm::dvec3(0.0, 0.0, datum);
-    return std::string();
-  }
-  const double toward[3] = { position[0] - focal[0], position[1] - focal[1],
-    position[2] - focal[2] };
-  glm::dvec3 v = frame.VectorFromWorld(toward);
-  double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-  if (!std::isfinite(length) || length == 0.0)
-  {
-    return "its position and focal point must be finite and differ";
-  }
-  result.vector = v / length;
-  return std::string();
-}
-
-relief::Scene ConvertMaterial(vtkReliefScene* scene, const ImageFrame& frame, double datum)
-{
-  vtkReliefMaterial* material = scene->GetMaterial();
-  auto color = [](const double c[3]) { return glm::dvec3(c[0], c[1], c[2]); };
-  relief::Scene result;
-  result.base = color(material->GetBaseColor());
-  result.diffuse = color(material->GetDiffuseColor());
-  result.specular = color(material->GetSpecularColor());
-  result.specularCoefficient = material->GetSpecularCoefficient();
-  result.scatterCoefficient = material->GetForwardScatterCoefficient();
-  result.specularFalloff = { material->GetSpecularRange()[0], material->GetSpecularRange()[1],
-    material->GetSpecularPower() };
-  result.scatterFalloff = { material->GetForwardScatterRange()[0],
-    material->GetForwardScatterRange()[1], material->GetForwardScatterPower() };
-  result.medium.depth = material->GetAutomaticSubsurfaceDepth()
-    ? (frame.Spacing[0] + frame.Spacing[1]) / 2.0
-    : material->GetSubsurfaceDepth();
-  result.medium.offset = material->GetOffsetMode();
-  result.medium.attenuation = material->GetAttenuation();
-  result.medium.density = material->GetDensity();
-  result.medium.useFloor = material->GetUseFloor();
-  result.medium.floorHeight = material->GetFloorHeight() - datum;
-  result.medium.tolerance = scene->GetTolerance();
-  result.integrator = scene->GetIntegrator() == vtkReliefScene::Exact
-    ? relief::Integrator::Exact
-    : relief::Integrator::FixedStep;
-  result.steps = scene->GetNumberOfSteps();
-  return result;
-}
-
-// Whether lights may be swept in lockstep, for which the heights are copied with a margin. In a
-// narrow image the margin would outweigh the samples, and little would be won.
-bool IsSwept(vtkReliefScene* scene, int columns)
-{
-  return columns >= 64 && scene->GetIntegrator() == vtkReliefScene::Exact &&
-    scene->GetMaterial()->GetOffsetMode() == vtkReliefMaterial::Vertical &&
-    !scene->GetMaterial()->GetUseFloor();
 }
 
 float* AddLayer(vtkImageData* image, bool wanted, const char* name, int components)
@@ -263,6 +77,21 @@ float* AddLayer(vtkImageData* image, bool wanted, const char* name, int componen
 }
 
 }
+
+class vtkImageReliefShading::Internals
+{
+public:
+  vtkSmartPointer<vtkReliefScene> Scene = vtkSmartPointer<vtkReliefScene>::New();
+  vtkNew<vtkReliefStatistics> Statistics;
+
+  // Kept between updates, and what the field was made from: modification times are never given
+  // twice.
+  std::unique_ptr<relief::HeightField> Field;
+  relief::IlluminationCache Cache;
+  std::tuple<vtkMTimeType, vtkMTimeType, void*, void*, double, bool, double, bool> MadeFrom;
+  vtkSmartPointer<vtkDataArray> Heights; // that the field uses in place
+  vtkReliefImageFrame Frame;
+};
 
 //------------------------------------------------------------------------------
 vtkImageReliefShading::vtkImageReliefShading()
@@ -328,6 +157,28 @@ void vtkImageReliefShading::SetOutputScalarType(int type)
 }
 
 //------------------------------------------------------------------------------
+void vtkImageReliefShading::SetMaximumCachedLights(int lights)
+{
+  if (lights < 0 || lights > 1000)
+  {
+    vtkErrorMacro("SetMaximumCachedLights: " << lights << " was given, a number in [0, 1000] is "
+                                             << "expected; " << this->MaximumCachedLights
+                                             << " is kept.");
+    return;
+  }
+  // What is kept changes no result, so this does not ask for an update.
+  this->MaximumCachedLights = lights;
+}
+
+//------------------------------------------------------------------------------
+void vtkImageReliefShading::ReleaseCache()
+{
+  this->Internal->Field.reset();
+  this->Internal->Heights = nullptr;
+  this->Internal->Cache.Keep({});
+}
+
+//------------------------------------------------------------------------------
 vtkReliefStatistics* vtkImageReliefShading::GetStatistics()
 {
   return this->Internal->Statistics;
@@ -376,6 +227,72 @@ int vtkImageReliefShading::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+// Makes the field of an input, unless the one at hand still holds. Returns an empty text, or what
+// is wrong.
+std::string vtkImageReliefShading::PrepareHeights(
+  vtkImageData* input, vtkDataArray* scalars, vtkImageData* mask, vtkDataArray* maskScalars)
+{
+  Internals& internal = *this->Internal;
+  vtkReliefScene* scene = internal.Scene;
+  const int* extent = input->GetExtent();
+  const int columns = extent[1] - extent[0] + 1;
+  const bool swept = IsSwept(scene, columns);
+  const auto madeFrom = std::make_tuple(std::max(input->GetMTime(), scalars->GetMTime()),
+    mask ? std::max(mask->GetMTime(), maskScalars->GetMTime()) : 0, static_cast<void*>(scalars),
+    static_cast<void*>(maskScalars), scene->GetHeightScale(), this->UseNoDataValue,
+    // NaN is no data in any case, and would never compare equal.
+    std::isnan(this->NoDataValue) ? 0.0 : this->NoDataValue, swept);
+  if (internal.Field && internal.MadeFrom == madeFrom)
+  {
+    return std::string();
+  }
+
+  internal.Field = std::make_unique<relief::HeightField>();
+  std::string wrong;
+  try
+  {
+    std::function<bool(int, int)> hasData;
+    if (mask)
+    {
+      switch (maskScalars->GetDataType())
+      {
+        vtkTemplateMacro(
+          hasData = ReadMask(static_cast<const VTK_TT*>(maskScalars->GetVoidPointer(0)), columns));
+      }
+    }
+    switch (scalars->GetDataType())
+    {
+      vtkTemplateMacro({
+        relief::HeightSource<VTK_TT> source;
+        source.data = static_cast<const VTK_TT*>(scalars->GetVoidPointer(0));
+        source.stepY = columns;
+        source.columns = columns;
+        source.rows = extent[3] - extent[2] + 1;
+        source.spacingX = internal.Frame.Spacing[0];
+        source.spacingY = internal.Frame.Spacing[1];
+        source.scale = scene->GetHeightScale();
+        source.hasNoData = this->UseNoDataValue && !std::isnan(this->NoDataValue);
+        source.noData = this->NoDataValue;
+        source.hasData = hasData;
+        wrong = internal.Field->Assign(source, ForRows, swept);
+      });
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    wrong = "there is not enough memory for the prepared heights";
+  }
+  if (!wrong.empty())
+  {
+    internal.Field.reset();
+    return wrong;
+  }
+  internal.MadeFrom = madeFrom;
+  internal.Heights = internal.Field->IsInPlace() ? scalars : nullptr;
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
 int vtkImageReliefShading::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -396,11 +313,11 @@ int vtkImageReliefShading::RequestData(
   };
 
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs);
-  std::string wrong = CheckInput(input, scalars, "height");
+  std::string wrong = vtkReliefCheckInput(input, scalars, "height");
   vtkDataArray* maskScalars = mask ? this->GetInputArrayToProcess(1, inputs) : nullptr;
   if (wrong.empty() && mask)
   {
-    wrong = CheckInput(mask, maskScalars, "mask");
+    wrong = vtkReliefCheckInput(mask, maskScalars, "mask");
     if (wrong.empty() && !std::equal(input->GetExtent(), input->GetExtent() + 6, mask->GetExtent()))
     {
       std::ostringstream message;
@@ -412,10 +329,9 @@ int vtkImageReliefShading::RequestData(
       wrong = message.str();
     }
   }
-  ImageFrame frame;
   if (wrong.empty())
   {
-    wrong = frame.Assign(input);
+    wrong = this->Internal->Frame.Assign(input);
   }
   if (!wrong.empty())
   {
@@ -424,44 +340,13 @@ int vtkImageReliefShading::RequestData(
 
   const int* extent = input->GetExtent();
   const int columns = extent[1] - extent[0] + 1;
-  relief::HeightField field;
-  try
-  {
-    std::function<bool(int, int)> hasData;
-    if (mask)
-    {
-      switch (maskScalars->GetDataType())
-      {
-        vtkTemplateMacro(
-          hasData = ReadMask(static_cast<const VTK_TT*>(maskScalars->GetVoidPointer(0)), columns));
-      }
-    }
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro({
-        relief::HeightSource<VTK_TT> source;
-        source.data = static_cast<const VTK_TT*>(scalars->GetVoidPointer(0));
-        source.stepY = columns;
-        source.columns = columns;
-        source.rows = extent[3] - extent[2] + 1;
-        source.spacingX = frame.Spacing[0];
-        source.spacingY = frame.Spacing[1];
-        source.scale = scene->GetHeightScale();
-        source.hasNoData = this->UseNoDataValue;
-        source.noData = this->NoDataValue;
-        source.hasData = hasData;
-        wrong = field.Assign(source, ForRows, IsSwept(scene, columns));
-      });
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    wrong = "there is not enough memory for the prepared heights";
-  }
+  wrong = this->PrepareHeights(input, scalars, mask, maskScalars);
   if (!wrong.empty())
   {
     return fail(wrong);
   }
+  const relief::HeightField& field = *this->Internal->Field;
+  const vtkReliefImageFrame& frame = this->Internal->Frame;
   if (!field.HasData())
   {
     vtkWarningMacro("No sample has data; the output is transparent.");
@@ -474,7 +359,7 @@ int vtkImageReliefShading::RequestData(
          "ground.");
   }
 
-  relief::Scene parameters = ConvertMaterial(scene, frame, field.GetDatum());
+  relief::Scene parameters = vtkReliefConvertMaterial(scene, frame, field.GetDatum());
   vtkNew<vtkReliefScene> unlit;
   vtkLightCollection* lights = scene->GetLights();
   if (lights->GetNumberOfItems() == 0)
@@ -488,7 +373,7 @@ int vtkImageReliefShading::RequestData(
     if (light->GetSwitch())
     {
       relief::Light converted;
-      wrong = ConvertLight(light, frame, field.GetDatum(), converted);
+      wrong = vtkReliefConvertLight(light, frame, field.GetDatum(), converted);
       if (!wrong.empty())
       {
         return fail("light " + std::to_string(lightIndex) + ": " + wrong);
@@ -532,6 +417,7 @@ int vtkImageReliefShading::RequestData(
   target.i0 = outExtent[0] - extent[0];
   target.j0 = outExtent[2] - extent[2];
   target.width = outExtent[1] - outExtent[0] + 1;
+  target.rows = outExtent[3] - outExtent[2] + 1;
   void* pixels = output->GetPointData()->GetScalars()->GetVoidPointer(0);
   if (this->OutputScalarType == VTK_FLOAT)
   {
@@ -544,7 +430,18 @@ int vtkImageReliefShading::RequestData(
 
   // Bands of tiles, one after another: between them observers hear of progress, on this thread, and
   // may abort.
-  relief::SceneShading shading(field, parameters, target);
+  relief::IlluminationCache& cache = this->Internal->Cache;
+  cache.SetLimit(this->MaximumCachedLights);
+  std::unique_ptr<relief::SceneShading> shading;
+  try
+  {
+    shading = std::make_unique<relief::SceneShading>(field, parameters, target, &cache);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return fail(
+      "there is not enough memory to keep illuminations; SetMaximumCachedLights(0) keeps none");
+  }
   const int height = relief::SweepThickness::TileHeight;
   const int firstRow = target.j0;
   const int endRow = target.j0 + outExtent[3] - outExtent[2] + 1;
@@ -557,7 +454,7 @@ int vtkImageReliefShading::RequestData(
     vtkSMPTools::For(begin, end, 1,
       [&](vtkIdType from, vtkIdType to)
       {
-        shading.Shade(target.i0, target.i0 + target.width,
+        shading->Shade(target.i0, target.i0 + target.width,
           std::max(firstRow, static_cast<int>(from) * height),
           std::min(endRow, static_cast<int>(to) * height));
       });
@@ -577,10 +474,12 @@ int vtkImageReliefShading::RequestData(
       frame.NormalToWorld(target.normals + 3 * at);
     }
   }
-  statistics->SetLightsTraced(shading.GetLightsTraced());
-  statistics->SetRaysTraced(static_cast<vtkTypeInt64>(shading.GetRaysTraced()));
-  statistics->SetCellsVisited(static_cast<vtkTypeInt64>(shading.GetCellsVisited()));
-  statistics->SetEffectsEvaluated(shading.GetEffects());
+  shading->KeepIlluminations();
+  statistics->SetLightsReused(shading->GetLightsReused());
+  statistics->SetLightsTraced(shading->GetLightsTraced());
+  statistics->SetRaysTraced(static_cast<vtkTypeInt64>(shading->GetRaysTraced()));
+  statistics->SetCellsVisited(static_cast<vtkTypeInt64>(shading->GetCellsVisited()));
+  statistics->SetEffectsEvaluated(shading->GetEffects());
   return 1;
 }
 
@@ -604,6 +503,7 @@ void vtkImageReliefShading::PrintSelf(ostream& os, vtkIndent indent)
   printSwitch("GenerateDiffuse", this->GenerateDiffuse);
   printSwitch("GenerateScatter", this->GenerateScatter);
   printSwitch("GenerateSpecular", this->GenerateSpecular);
+  os << indent << "MaximumCachedLights: " << this->MaximumCachedLights << "\n";
   os << indent << "Statistics:\n";
   this->Internal->Statistics->PrintSelf(os, indent.GetNextIndent());
 }

@@ -61,8 +61,8 @@ void AddRow(int columns, const float* __restrict row, const float* __restrict be
   }
 }
 
-// Bounds of a block in which a sample seems to have no data. Where only the sum of huge heights was not a
-// number, those found hold.
+// Bounds of a block in which a sample seems to have no data. Where only the sum of huge heights was
+// not a number, those found hold.
 MinMaxPyramid::Bounds HoleBounds(const HeightView<float>& heights, int i0, int i1, int j0, int j1,
   const MinMaxPyramid::Bounds& found)
 {

@@ -111,8 +111,11 @@ struct SceneShading::Tile
   }
 };
 
-SceneShading::SceneShading(const HeightField& field, const Scene& scene, const Target& target)
+SceneShading::SceneShading(
+  const HeightField& field, const Scene& scene, const Target& target, IlluminationCache* cache)
   : Heights(field.GetField())
+  , FieldVersion(field.GetVersion())
+  , Cache(cache)
   , Parameters(scene)
   , Out(target)
   , Medium(relief::ToSingle(scene.medium))
@@ -129,6 +132,7 @@ SceneShading::SceneShading(const HeightField& field, const Scene& scene, const T
   this->HasScatter = diffuseShows && kf > 0.0;
 
   bool firstLight = true;
+  int cached = 0;
   for (const Light& light : scene.lights)
   {
     Plan plan;
@@ -153,8 +157,13 @@ SceneShading::SceneShading(const HeightField& field, const Scene& scene, const T
     {
       this->ShareSum += plan.share;
     }
-    if (plan.trace && scene.integrator == Integrator::Exact && field.GetMissingRow() &&
-      SweepThickness::Applies(scene.medium, light))
+    if (plan.trace && cache && this->NeedsEveryD(plan))
+    {
+      this->UseCache(plan, cache->GetLimit() - cached);
+      cached += plan.kept || plan.fresh ? 1 : 0;
+    }
+    if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact &&
+      field.GetMissingRow() && SweepThickness::Applies(scene.medium, light))
     {
       f64::ReliefMedium medium = scene.medium;
       medium.tolerance = plan.thickness ? 0.0 : medium.tolerance;
@@ -179,6 +188,55 @@ SceneShading::SceneShading(const HeightField& field, const Scene& scene, const T
     (anyTrace && scene.medium.offset == f64::RELIEF_SURFACE_NORMAL);
   this->Effects = (anyNeedsD ? IlluminationEffect : 0) | (this->HasNormals ? NormalsEffect : 0) |
     (hasSpecular ? SpecularEffect : 0) | (this->HasScatter ? ScatterEffect : 0);
+}
+
+// Whether d shows at every sample. Where all the light is scattered forward and none comes this
+// way, it does not.
+bool SceneShading::NeedsEveryD(const Plan& plan) const
+{
+  return plan.thickness || this->Out.illumination || this->Parameters.scatterCoefficient < 1.0;
+}
+
+// Finds a light's illumination in the cache, or makes room to keep it there.
+void SceneShading::UseCache(Plan& plan, int room)
+{
+  IlluminationCache::Key key;
+  key.field = this->FieldVersion;
+  key.i0 = this->Out.i0;
+  key.j0 = this->Out.j0;
+  key.columns = this->Out.width;
+  key.rows = this->Out.rows;
+  key.vector = plan.light.vector;
+  key.positional = plan.light.positional;
+  key.medium = this->Parameters.medium;
+  key.medium.tolerance = plan.thickness ? 0.0 : key.medium.tolerance;
+  key.steps = this->Parameters.integrator == Integrator::FixedStep ? this->Parameters.steps : 0;
+  key.thickness = plan.thickness;
+  plan.kept = this->Cache->Find(key);
+  if (!plan.kept && room > 0)
+  {
+    const std::size_t samples = static_cast<std::size_t>(key.columns) * key.rows;
+    plan.fresh = std::make_shared<IlluminationCache::Entry>();
+    plan.fresh->key = key;
+    plan.fresh->illumination.resize(samples);
+    plan.fresh->thickness.resize(key.thickness ? samples : 0);
+  }
+}
+
+void SceneShading::KeepIlluminations()
+{
+  std::vector<std::shared_ptr<const IlluminationCache::Entry>> used;
+  for (const Plan& plan : this->Plans)
+  {
+    if (plan.kept || plan.fresh)
+    {
+      used.push_back(plan.kept ? plan.kept : plan.fresh);
+    }
+  }
+  if (this->Cache)
+  {
+    this->Cache->Keep(std::move(used));
+  }
 }
 
 void SceneShading::Shade(int i0, int i1, int j0, int j1)
@@ -239,6 +297,18 @@ void SceneShading::ShadeTile(Tile& tile)
 // Fills d and r of the wanted samples.
 void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
 {
+  auto place = [&](int i, int j)
+  { return static_cast<std::size_t>(j - this->Out.j0) * this->Out.width + (i - this->Out.i0); };
+  if (plan.kept)
+  {
+    tile.ForEach(
+      [&](int i, int j, int at)
+      {
+        tile.d[at] = plan.kept->illumination[place(i, j)];
+        tile.r[at] = plan.thickness ? plan.kept->thickness[place(i, j)] : tile.r[at];
+      });
+    return;
+  }
   RayCount work;
   if (plan.sweep)
   {
@@ -272,6 +342,18 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
   }
   this->Rays[index] += work.rays;
   this->Cells += work.cells;
+  if (plan.fresh)
+  {
+    tile.ForEach(
+      [&](int i, int j, int at)
+      {
+        plan.fresh->illumination[place(i, j)] = tile.d[at];
+        if (plan.thickness)
+        {
+          plan.fresh->thickness[place(i, j)] = tile.r[at];
+        }
+      });
+  }
 }
 
 void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
@@ -304,8 +386,7 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
       });
   }
 
-  // Where all the light is scattered forward and none comes this way, d does not show.
-  const bool everyD = plan.thickness || this->Out.illumination || kf < 1.0f;
+  const bool everyD = this->NeedsEveryD(plan);
   bool anyWanted = false;
   tile.ForEach(
     [&](int, int, int at)
@@ -429,6 +510,12 @@ void SceneShading::Write(const Tile& tile)
   writeVectors(out.diffuse, tile.diffuse, missing);
   writeVectors(out.scatter, hasScatter ? tile.scatter : nullptr, glm::vec3(0.0f));
   writeVectors(out.specular, hasSpecular ? tile.specular : nullptr, glm::vec3(0.0f));
+}
+
+int SceneShading::GetLightsReused() const
+{
+  return static_cast<int>(std::count_if(
+    this->Plans.begin(), this->Plans.end(), [](const Plan& plan) { return plan.kept != nullptr; }));
 }
 
 int SceneShading::GetLightsTraced() const

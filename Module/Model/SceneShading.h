@@ -3,6 +3,7 @@
 #define SceneShading_h
 
 #include "HeightField.h"
+#include "IlluminationCache.h"
 #include "RayThickness.h"
 #include "SweepThickness.h"
 
@@ -51,6 +52,7 @@ struct Target
   int i0 = 0; ///< the sample that stands first in the arrays
   int j0 = 0;
   int width = 0; ///< samples in a row of the arrays
+  int rows = 0;  ///< rows in the arrays
   float* rgba = nullptr;
   unsigned char* rgba8 = nullptr;
   float* illumination = nullptr;
@@ -67,17 +69,24 @@ struct Target
 class SceneShading
 {
 public:
-  SceneShading(const HeightField& field, const Scene& scene, const Target& target);
+  /// A cache, where given, must outlive this object.
+  SceneShading(const HeightField& field, const Scene& scene, const Target& target,
+    IlluminationCache* cache = nullptr);
 
   /// Shades the samples [i0, i1) x [j0, j1) of the field. Parts that begin and end at multiples of
   /// the tile of SweepThickness cost least: tiles are computed whole.
   void Shade(int i0, int i1, int j0, int j1);
+
+  /// Keeps the illuminations for the next run. To be called once all samples of the target are
+  /// shaded.
+  void KeepIlluminations();
 
   ///@{
   /// What has been done so far.
   int GetLightsTraced() const;
   std::uint64_t GetRaysTraced() const;
   std::uint64_t GetCellsVisited() const { return this->Cells; }
+  int GetLightsReused() const;
   int GetEffects() const { return this->Effects; }
   ///@}
 
@@ -95,16 +104,22 @@ private:
     bool trace;         ///< and is not known to be 0
     bool thickness;     ///< its thickness is a layer
     std::unique_ptr<SweepThickness> sweep; ///< traces it in lockstep, where that applies
+    std::shared_ptr<const IlluminationCache::Entry> kept; ///< d from an earlier run
+    std::shared_ptr<IlluminationCache::Entry> fresh;      ///< d for the next
   };
 
   struct Tile;
 
+  bool NeedsEveryD(const Plan& plan) const;
+  void UseCache(Plan& plan, int room);
   void ShadeTile(Tile& tile);
   void Illuminate(const Plan& plan, std::size_t index, Tile& tile);
   void AddLight(const Plan& plan, std::size_t index, Tile& tile);
   void Write(const Tile& tile);
 
   Field<float> Heights;
+  std::uint64_t FieldVersion;
+  IlluminationCache* Cache;
   Scene Parameters;
   Target Out;
   f32::ReliefMedium Medium;

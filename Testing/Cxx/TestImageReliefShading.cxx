@@ -54,9 +54,10 @@ void TestDefaults()
 
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* name : { "Scene", "NoDataValue", "UseNoDataValue", "OutputScalarType",
-         "GenerateIllumination", "GenerateThickness", "GenerateNormals", "GenerateBase",
-         "GenerateDiffuse", "GenerateScatter", "GenerateSpecular", "Statistics" })
+  for (const char* name :
+    { "Scene", "NoDataValue", "UseNoDataValue", "OutputScalarType", "GenerateIllumination",
+      "GenerateThickness", "GenerateNormals", "GenerateBase", "GenerateDiffuse", "GenerateScatter",
+      "GenerateSpecular", "MaximumCachedLights", "Statistics" })
   {
     CHECK(printed.str().find(std::string(name) + ":") != std::string::npos);
   }

@@ -21,8 +21,9 @@ namespace
 {
 int Failures = 0;
 
-// A scene that uses every effect, with holes.
-void SetUp(vtkImageReliefShading* filter)
+// A scene that uses every effect, with holes. With the vertical offset suns are swept in lockstep,
+// with the other they are traced ray by ray.
+void SetUp(vtkImageReliefShading* filter, int offsetMode)
 {
   filter->SetInputData(MakeHeights(131, 97, Hills(6)));
   filter->SetMaskData(MakeHeights<vtkUnsignedCharArray>(
@@ -31,7 +32,7 @@ void SetUp(vtkImageReliefShading* filter)
   material->SetSpecularCoefficient(0.3);
   material->SetForwardScatterCoefficient(0.2);
   material->SetForwardScatterRange(-1.0, 1.0);
-  material->SetOffsetModeToSurfaceNormal();
+  material->SetOffsetMode(offsetMode);
   filter->GetScene()->AddSun(290.0, 15.0);
   vtkNew<vtkLight> lamp;
   lamp->PositionalOn();
@@ -42,16 +43,17 @@ void SetUp(vtkImageReliefShading* filter)
   filter->GenerateNormalsOn();
 }
 
-void TestThreads()
+void TestThreads(int offsetMode)
 {
   vtkNew<vtkImageReliefShading> filter;
-  SetUp(filter);
+  SetUp(filter, offsetMode);
   vtkNew<vtkImageData> one;
   // TBB takes no more threads than it started with.
   vtkSMPTools::SetBackend("STDThread");
   for (int threads : { 1, 2, 7 })
   {
     vtkSMPTools::Initialize(threads);
+    filter->ReleaseCache();
     filter->Modified();
     filter->Update();
     if (threads == 1)
@@ -69,10 +71,10 @@ void TestThreads()
   vtkSMPTools::Initialize(0);
 }
 
-void TestPieces()
+void TestPieces(int offsetMode)
 {
   vtkNew<vtkImageReliefShading> filter;
-  SetUp(filter);
+  SetUp(filter, offsetMode);
   filter->Update();
   vtkNew<vtkImageData> whole;
   whole->DeepCopy(filter->GetOutput());
@@ -180,10 +182,112 @@ void TestEffects()
   CHECK(Value(filter->GetOutput(), nullptr, 3, 3, 1) == 0.25f);
 }
 
+// What no change touches is not computed again, and is the same as if it were.
+void TestReuse()
+{
+  auto heights = MakeHeights(90, 70, Hills(9));
+  vtkNew<vtkImageReliefShading> filter;
+  filter->SetInputData(heights);
+  vtkReliefScene* scene = filter->GetScene();
+  vtkReliefMaterial* material = scene->GetMaterial();
+  vtkReliefStatistics* statistics = filter->GetStatistics();
+  vtkLight* first = scene->AddSun(300.0, 20.0);
+  vtkLight* second = scene->AddSun(100.0, 50.0);
+  vtkNew<vtkLight> lamp;
+  lamp->PositionalOn();
+  lamp->SetPosition(40.0, 30.0, 90.0);
+  scene->AddLight(lamp);
+
+  // Updates, and compares with a filter that has nothing to reuse.
+  auto check = [&](int traced, int reused)
+  {
+    filter->Update();
+    vtkNew<vtkImageReliefShading> fresh;
+    fresh->SetInputData(heights);
+    fresh->SetScene(scene);
+    fresh->SetMaximumCachedLights(0);
+    fresh->SetGenerateThickness(filter->GetGenerateThickness());
+    fresh->Update();
+    bool same = SameBytes(filter->GetOutput()->GetPointData()->GetScalars(),
+      fresh->GetOutput()->GetPointData()->GetScalars());
+    bool counts =
+      statistics->GetLightsTraced() == traced && statistics->GetLightsReused() == reused;
+    if (!same || !counts)
+    {
+      std::cout << "same " << same << ", traced " << statistics->GetLightsTraced() << ", reused "
+                << statistics->GetLightsReused() << std::endl;
+    }
+    return same && counts && fresh->GetStatistics()->GetLightsReused() == 0;
+  };
+  CHECK(check(3, 0));
+  material->SetDiffuseColor(0.9, 0.7, 0.5);
+  CHECK(check(0, 3));
+  CHECK(statistics->GetRaysTraced() == 0 && statistics->GetCellsVisited() == 0);
+  material->SetSpecularCoefficient(0.4);
+  material->SetForwardScatterCoefficient(0.3);
+  material->SetSpecularPower(3.0);
+  first->SetIntensity(0.5);
+  second->SetDiffuseColor(1.0, 0.0, 0.0);
+  CHECK(check(0, 3));
+  lamp->SetPosition(41.0, 30.0, 90.0);
+  CHECK(check(1, 2));
+  first->SetPosition(0.0, 1.0, 1.0);
+  CHECK(check(1, 2));
+  scene->RemoveLight(second);
+  CHECK(check(0, 2));
+  filter->GenerateNormalsOn();
+  CHECK(check(0, 2));
+  filter->GenerateThicknessOn(); // the first light's, to the last digit
+  CHECK(check(1, 1));
+  material->SetBaseColor(0.1, 0.1, 0.1);
+  CHECK(check(0, 2));
+  filter->GenerateThicknessOff();
+  CHECK(check(1, 1));
+  material->SetSubsurfaceDepth(2.0);
+  CHECK(check(2, 0));
+  material->SetOffsetModeToSurfaceNormal();
+  CHECK(check(2, 0));
+  material->SetAttenuationToExponential();
+  CHECK(check(2, 0));
+  material->UseFloorOn();
+  CHECK(check(2, 0));
+  scene->SetTolerance(0.01);
+  CHECK(check(2, 0));
+  scene->SetHeightScale(1.5);
+  CHECK(check(2, 0));
+  scene->SetIntegratorToFixedStep();
+  CHECK(check(2, 0));
+  scene->SetNumberOfSteps(32);
+  CHECK(check(2, 0));
+  scene->SetIntegratorToExact();
+  CHECK(check(2, 0));
+  heights->GetPointData()->GetScalars()->SetTuple1(2000, 99.0);
+  heights->Modified();
+  CHECK(check(2, 0));
+  filter->SetNoDataValue(99.0);
+  filter->Update();
+  CHECK(statistics->GetLightsTraced() == 2);
+  filter->UseNoDataValueOff();
+  CHECK(check(2, 0));
+  filter->SetMaximumCachedLights(1);
+  material->SetBaseColor(0.2, 0.1, 0.1);
+  CHECK(check(0, 2));
+  material->SetBaseColor(0.3, 0.1, 0.1);
+  CHECK(check(1, 1));
+  filter->ReleaseCache();
+  material->SetBaseColor(0.4, 0.1, 0.1);
+  CHECK(check(2, 0));
+
+  MessageKeeper messages(filter);
+  filter->SetMaximumCachedLights(-1);
+  CHECK(messages.OneError("-1") && filter->GetMaximumCachedLights() == 1);
+}
+
 void TestProgressAndAbort()
 {
   vtkNew<vtkImageReliefShading> filter;
-  SetUp(filter);
+  SetUp(filter, vtkReliefMaterial::Vertical);
+  filter->SetMaximumCachedLights(0);
   std::vector<double> progress;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&progress);
@@ -264,9 +368,13 @@ void TestMemory()
 
 int TestImageReliefShadingPipeline(int, char*[])
 {
-  TestThreads();
-  TestPieces();
+  for (int offsetMode : { vtkReliefMaterial::Vertical, vtkReliefMaterial::SurfaceNormal })
+  {
+    TestThreads(offsetMode);
+    TestPieces(offsetMode);
+  }
   TestEffects();
+  TestReuse();
   TestProgressAndAbort();
   TestMemory();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefConversion.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMatrix3x3.h"
+#include "vtkReliefMaterial.h"
+#include "vtkReliefScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+static_assert(
+  static_cast<int>(vtkReliefMaterial::SurfaceNormal) == relief::f64::RELIEF_SURFACE_NORMAL);
+static_assert(static_cast<int>(vtkReliefMaterial::Exponential) == relief::f64::RELIEF_EXPONENTIAL);
+
+//------------------------------------------------------------------------------
+std::string vtkReliefImageFrame::Assign(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  const double* spacing = image->GetSpacing();
+  std::copy_n(image->GetOrigin(), 3, this->Origin);
+  std::copy_n(image->GetDirectionMatrix()->GetData(), 9, this->Direction);
+  std::ostringstream message;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (!std::isfinite(spacing[axis]) || spacing[axis] == 0.0)
+    {
+      message << "the spacing is (" << spacing[0] << ", " << spacing[1]
+              << "), finite numbers other than 0 are expected";
+      return message.str();
+    }
+    this->Spacing[axis] = std::abs(spacing[axis]);
+    this->Sign[axis] = spacing[axis] < 0.0 ? -1.0 : 1.0;
+    this->First[axis] = extent[2 * axis] * this->Spacing[axis];
+  }
+  vtkMatrix3x3::Invert(this->Direction, this->Inverse);
+  if (!std::isfinite(this->Origin[0] + this->Origin[1] + this->Origin[2]) ||
+    vtkMatrix3x3::Determinant(this->Direction) == 0.0)
+  {
+    return "origin and direction matrix must be finite, and the matrix regular";
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkReliefImageFrame::VectorFromWorld(const double world[3]) const
+{
+  double local[3];
+  vtkMatrix3x3::MultiplyPoint(this->Inverse, world, local);
+  return { local[0] * this->Sign[0], local[1] * this->Sign[1], local[2] };
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkReliefImageFrame::PointFromWorld(const double world[3]) const
+{
+  const double fromOrigin[3] = { world[0] - this->Origin[0], world[1] - this->Origin[1],
+    world[2] - this->Origin[2] };
+  return this->VectorFromWorld(fromOrigin) - glm::dvec3(this->First[0], this->First[1], 0.0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefImageFrame::IsWorld() const
+{
+  static const double identity[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  return this->Sign[0] > 0.0 && this->Sign[1] > 0.0 &&
+    std::equal(identity, identity + 9, this->Direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefImageFrame::NormalToWorld(float* n) const
+{
+  const double local[3] = { n[0] * this->Sign[0], n[1] * this->Sign[1], n[2] };
+  double world[3];
+  vtkMatrix3x3::MultiplyPoint(this->Direction, local, world);
+  std::copy_n(world, 3, n);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what)
+{
+  std::ostringstream message;
+  const int* extent = image->GetExtent();
+  if (image->GetNumberOfPoints() < 1)
+  {
+    message << "the " << what << " image is empty";
+  }
+  else if (extent[4] != extent[5])
+  {
+    message << "the " << what << " image has " << extent[5] - extent[4] + 1
+            << " slices, 1 is expected";
+  }
+  else if (!scalars)
+  {
+    message << "the " << what << " image has no scalars";
+  }
+  else if (scalars->GetNumberOfComponents() != 1)
+  {
+    message << "the " << what << " image has " << scalars->GetNumberOfComponents()
+            << " components, 1 is expected";
+  }
+  else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    message << "the " << what << " array has " << scalars->GetNumberOfTuples() << " values, "
+            << image->GetNumberOfPoints() << " are expected";
+  }
+  else if (scalars->GetDataType() == VTK_BIT)
+  {
+    message << "the " << what << " scalars are bits, a numeric type is expected";
+  }
+  return message.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefConvertLight(
+  vtkLight* light, const vtkReliefImageFrame& frame, double datum, relief::Light& result)
+{
+  double position[3];
+  double focal[3];
+  light->GetTransformedPosition(position);
+  light->GetTransformedFocalPoint(focal);
+  result.color = glm::dvec3(
+    light->GetDiffuseColor()[0], light->GetDiffuseColor()[1], light->GetDiffuseColor()[2]);
+  result.intensity = light->GetIntensity();
+  result.positional = light->GetPositional() != 0;
+  if (!std::isfinite(result.intensity) ||
+    !std::isfinite(result.color.x + result.color.y + result.color.z))
+  {
+    return "its intensity and colour must be finite";
+  }
+  if (!std::isfinite(position[0] + position[1] + position[2]))
+  {
+    return "its position must be finite";
+  }
+  if (result.positional)
+  {
+    result.vector = frame.PointFromWorld(position) - glm::dvec3(0.0, 0.0, datum);
+    return std::string();
+  }
+  const double toward[3] = { position[0] - focal[0], position[1] - focal[1],
+    position[2] - focal[2] };
+  glm::dvec3 v = frame.VectorFromWorld(toward);
+  double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  if (!std::isfinite(length) || length == 0.0)
+  {
+    return "its position and focal point must be finite and differ";
+  }
+  result.vector = v / length;
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+relief::Scene vtkReliefConvertMaterial(
+  vtkReliefScene* scene, const vtkReliefImageFrame& frame, double datum)
+{
+  vtkReliefMaterial* material = scene->GetMaterial();
+  auto color = [](const double c[3]) { return glm::dvec3(c[0], c[1], c[2]); };
+  relief::Scene result;
+  result.base = color(material->GetBaseColor());
+  result.diffuse = color(material->GetDiffuseColor());
+  result.specular = color(material->GetSpecularColor());
+  result.specularCoefficient = material->GetSpecularCoefficient();
+  result.scatterCoefficient = material->GetForwardScatterCoefficient();
+  result.specularFalloff = { material->GetSpecularRange()[0], material->GetSpecularRange()[1],
+    material->GetSpecularPower() };
+  result.scatterFalloff = { material->GetForwardScatterRange()[0],
+    material->GetForwardScatterRange()[1], material->GetForwardScatterPower() };
+  result.medium.depth = material->GetAutomaticSubsurfaceDepth()
+    ? (frame.Spacing[0] + frame.Spacing[1]) / 2.0
+    : material->GetSubsurfaceDepth();
+  result.medium.offset = material->GetOffsetMode();
+  result.medium.attenuation = material->GetAttenuation();
+  result.medium.density = material->GetDensity();
+  result.medium.useFloor = material->GetUseFloor();
+  result.medium.floorHeight = material->GetFloorHeight() - datum;
+  result.medium.tolerance = scene->GetTolerance();
+  result.integrator = scene->GetIntegrator() == vtkReliefScene::Exact
+    ? relief::Integrator::Exact
+    : relief::Integrator::FixedStep;
+  result.steps = scene->GetNumberOfSteps();
+  return result;
+}

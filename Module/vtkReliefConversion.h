@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkReliefConversion_h
+#define vtkReliefConversion_h
+
+/// @file
+/// From VTK's images, lights and scenes to what the model takes. Private to the module; functions
+/// return an empty text, or what is wrong.
+
+#include "SceneShading.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkLight;
+class vtkReliefScene;
+
+/// The image's own frame: world coordinates with origin and direction taken off, its first sample
+/// at (0, 0), x and y growing with the index.
+class vtkReliefImageFrame
+{
+public:
+  std::string Assign(vtkImageData* image);
+
+  glm::dvec3 VectorFromWorld(const double world[3]) const;
+  glm::dvec3 PointFromWorld(const double world[3]) const;
+  bool IsWorld() const;
+  void NormalToWorld(float* n) const;
+
+  double Spacing[2] = { 1.0, 1.0 };
+
+private:
+  double Origin[3];
+  double Direction[9];
+  double Inverse[9];
+  double Sign[2] = { 1.0, 1.0 };
+  double First[2] = { 0.0, 0.0 };
+};
+
+/// Checks that an image is one slice of scalars of one component.
+std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what);
+
+/// One of VTK's lights in the image's frame, above the field's datum.
+std::string vtkReliefConvertLight(
+  vtkLight* light, const vtkReliefImageFrame& frame, double datum, relief::Light& result);
+
+/// Everything of a scene but its lights.
+relief::Scene vtkReliefConvertMaterial(
+  vtkReliefScene* scene, const vtkReliefImageFrame& frame, double datum);
+
+#endif
