@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOpenImageIOWriter.h"
+
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include "ImageFileAccess.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkOpenImageIOWriter);
+
+namespace
+{
+using OIIO::TypeDesc;
+using relief::io::Aborted;
+using relief::io::Failure;
+using relief::io::FileType;
+using relief::io::Guard;
+using relief::io::OneLine;
+using relief::io::TemporaryFile;
+
+// Whether an attribute tells how the file that it came from was stored.
+bool DescribesStorage(const std::string& name)
+{
+  static const std::set<std::string> names = { "Orientation", "compression", "CompressionQuality",
+    "planarconfig", "ChannelNames", "DataWindowOrigin" };
+  static const std::set<std::string> prefixes = []
+  {
+    std::set<std::string> result = { "oiio" };
+    std::istringstream formats(std::string(OIIO::get_string_attribute("format_list")));
+    for (std::string format; std::getline(formats, format, ',');)
+    {
+      result.insert(format);
+    }
+    return result;
+  }();
+  const size_t colon = name.find(':');
+  return names.count(name) || name.compare(0, 10, "ICCProfile") == 0 ||
+    (colon != std::string::npos && prefixes.count(name.substr(0, colon)));
+}
+
+void AddAttributes(vtkFieldData* fieldData, OIIO::ImageSpec& spec)
+{
+  const size_t largest = 64 * 1024;
+  for (int a = 0; fieldData && a < fieldData->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* array = fieldData->GetAbstractArray(a);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    const size_t values = static_cast<size_t>(array->GetNumberOfValues());
+    if (name.empty() || values == 0 || DescribesStorage(name))
+    {
+      continue;
+    }
+    if (auto strings = vtkStringArray::SafeDownCast(array))
+    {
+      size_t bytes = 0;
+      std::vector<const char*> texts;
+      for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+      {
+        texts.push_back(strings->GetValue(i).c_str());
+        bytes += strings->GetValue(i).size() + 1;
+      }
+      if (bytes <= largest)
+      {
+        const TypeDesc type(TypeDesc::STRING, values > 1 ? static_cast<int>(values) : 0);
+        spec.attribute(name, type, texts.data());
+      }
+    }
+    else if (auto numbers = vtkDataArray::SafeDownCast(array))
+    {
+      TypeDesc type = FileType(numbers->GetDataType());
+      if (type == TypeDesc::UNKNOWN || values * type.size() > largest)
+      {
+        continue;
+      }
+      // Tuples that OpenImageIO has a name for stay tuples, others become plain arrays.
+      const int components = numbers->GetNumberOfComponents();
+      const bool tuples = components == 2 || components == 3 || components == 4 || components == 16;
+      type.aggregate = static_cast<unsigned char>(tuples ? components : 1);
+      const int elements = static_cast<int>(values) / type.aggregate;
+      type.arraylen = elements > 1 ? elements : 0;
+      spec.attribute(name, type, numbers->GetVoidPointer(0));
+    }
+  }
+}
+
+// Refuses components that OpenImageIO would drop without a word, or not survive.
+void CheckComponents(const OIIO::ImageOutput& format, int components)
+{
+  const std::string name = format.format_name();
+  std::string held;
+  if (name == "dpx")
+  {
+    // Its writer says that it takes any number, and ends the program when it gets another.
+    held = components == 2 || components > 4 ? "1, 3 or 4" : "";
+  }
+  else if (name == "webp" || name == "heif")
+  {
+    // Fewer would crash WebP as it is closed, and HEIF would read behind the rows.
+    held = components < 3 || components > 4 ? "3 or 4" : "";
+  }
+  else if (name == "gif")
+  {
+    // Its writer takes alpha and makes all of it opaque.
+    held = components != 3 ? "3" : "";
+  }
+  else if (!format.supports("alpha"))
+  {
+    held = components == 2 || components == 4 ? "1 or 3" : "";
+  }
+  else if (!format.supports("nchannels"))
+  {
+    held = components > 4 ? "up to 4" : "";
+  }
+  if (!held.empty())
+  {
+    throw Failure(vtkErrorCode::FileFormatError,
+      "the format " + name + " holds " + held +
+        " components, as it is written here, and the image has " + std::to_string(components));
+  }
+  if (name == "iff")
+  {
+    throw Failure(
+      vtkErrorCode::FileFormatError, "the format iff is written in tiles, which is not done here");
+  }
+}
+
+void CheckType(const OIIO::ImageOutput& format, TypeDesc wanted, bool automatic)
+{
+  const TypeDesc chosen = format.spec().format;
+  const bool narrowed = automatic && wanted == TypeDesc::DOUBLE && chosen == TypeDesc::FLOAT;
+  if (chosen != wanted && !narrowed)
+  {
+    std::ostringstream text;
+    text << "the format " << format.format_name() << " does not hold pixels of type "
+         << wanted.c_str() << "; what it would hold instead is " << chosen.c_str()
+         << ". Set a PixelType that it holds";
+    throw Failure(vtkErrorCode::FileFormatError, text.str());
+  }
+}
+
+template <typename T>
+void ReplaceNaN(T* values, size_t count)
+{
+  std::replace_if(
+    values, values + count, [](T value) { return std::isnan(value); }, T(0));
+}
+
+struct Job
+{
+  vtkAlgorithm* Writer;
+  vtkImageData* Image;
+  std::string FileName;
+  int PixelType;
+  std::string Compression;
+  int Quality;
+};
+
+void WriteRows(const Job& job, OIIO::ImageOutput& output)
+{
+  vtkDataArray* scalars = job.Image->GetPointData()->GetScalars();
+  const TypeDesc type = FileType(scalars->GetDataType());
+  const OIIO::ImageSpec& spec = output.spec();
+  const size_t rowValues = static_cast<size_t>(spec.width) * scalars->GetNumberOfComponents();
+  const size_t rowBytes = rowValues * type.size();
+  const auto* image = static_cast<const unsigned char*>(scalars->GetVoidPointer(0));
+  // Bands of about 4 MiB of whole compressed blocks, so that OpenImageIO can encode in parallel.
+  const int granules = static_cast<int>(std::max<size_t>(1, (size_t(4) << 20) / rowBytes / 64));
+  const int bandRows = std::min(granules * 64, spec.height);
+  // The spare bytes: HEIF's writer copies rows padded to its own width.
+  std::vector<unsigned char> band(rowBytes * bandRows + 256);
+  for (int y = 0; y < spec.height; y += bandRows)
+  {
+    if (job.Writer->GetAbortExecute())
+    {
+      throw Aborted();
+    }
+    const int end = std::min(y + bandRows, spec.height);
+    for (int row = y; row < end; ++row)
+    {
+      // The file begins with the top row, the image with the bottom one.
+      std::memcpy(band.data() + rowBytes * (row - y),
+        image + rowBytes * static_cast<size_t>(spec.height - 1 - row), rowBytes);
+    }
+    if (!spec.format.is_floating_point() && type == TypeDesc::FLOAT)
+    {
+      ReplaceNaN(reinterpret_cast<float*>(band.data()), rowValues * (end - y));
+    }
+    else if (!spec.format.is_floating_point() && type == TypeDesc::DOUBLE)
+    {
+      ReplaceNaN(reinterpret_cast<double*>(band.data()), rowValues * (end - y));
+    }
+    if (!output.write_scanlines(y, end, 0, type, band.data()))
+    {
+      throw Failure(
+        vtkErrorCode::OutOfDiskSpaceError, "writing failed: " + OneLine(output.geterror()));
+    }
+    job.Writer->UpdateProgress(static_cast<double>(end) / spec.height);
+  }
+  if (job.Writer->GetAbortExecute())
+  {
+    throw Aborted();
+  }
+}
+
+// Some formats' writers take what their readers do not give back, so the header is looked at once
+// more, and where OpenImageIO has not written through TemporaryFile, whether all rows have come to
+// the disk.
+void CheckFile(const std::string& fileName, const OIIO::ImageSpec& written, bool checkRows)
+{
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(fileName);
+  if (!input)
+  {
+    OIIO::geterror(); // The format is written only
+    return;
+  }
+  OIIO::ImageSpec found;
+  const bool opened = input->open(fileName, found);
+  if (opened &&
+    (found.width != written.width || found.height != written.height ||
+      found.nchannels < written.nchannels || found.format != written.format))
+  {
+    std::ostringstream text;
+    text << "the format " << input->format_name() << " does not hold " << written.nchannels
+         << " components of type " << written.format.c_str() << ": it stores " << found.nchannels
+         << " of type " << found.format.c_str();
+    throw Failure(vtkErrorCode::FileFormatError, text.str());
+  }
+  bool whole = opened;
+  std::vector<unsigned char> row(static_cast<size_t>(found.scanline_bytes()));
+  for (int y = found.y; checkRows && whole && y < found.y + found.height; ++y)
+  {
+    whole = input->read_scanlines(0, 0, y, y + 1, 0, 0, found.nchannels, found.format, row.data());
+  }
+  const std::string text = input->geterror();
+  if (!whole)
+  {
+    throw Failure(
+      vtkErrorCode::OutOfDiskSpaceError, "what was written cannot be read back: " + OneLine(text));
+  }
+}
+
+OIIO::ImageSpec FileSpec(const Job& job, const std::string& format)
+{
+  vtkDataArray* scalars = job.Image->GetPointData()->GetScalars();
+  TypeDesc type = FileType(scalars->GetDataType());
+  const TypeDesc types[] = { type, TypeDesc::UINT8, TypeDesc::UINT16, TypeDesc::HALF,
+    TypeDesc::FLOAT };
+  int dimensions[3];
+  job.Image->GetDimensions(dimensions);
+  OIIO::ImageSpec spec(
+    dimensions[0], dimensions[1], scalars->GetNumberOfComponents(), types[job.PixelType]);
+  AddAttributes(job.Image->GetFieldData(), spec);
+  // Without it colours would be divided by alpha. OpenEXR has no such thing and stores what it
+  // gets.
+  if (format != "openexr")
+  {
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+  }
+  if (!job.Compression.empty())
+  {
+    spec.attribute("compression", job.Compression);
+  }
+  static const std::set<std::string> lossy = { "jpeg", "webp", "heif" };
+  if (lossy.count(format) || job.Compression == "jpeg")
+  {
+    spec.attribute("CompressionQuality", job.Quality);
+  }
+  return spec;
+}
+
+void CheckInput(const Job& job)
+{
+  if (job.FileName.empty())
+  {
+    throw Failure(vtkErrorCode::NoFileNameError, "no file name is set");
+  }
+  if (!job.Image || job.Image->GetNumberOfPoints() < 1)
+  {
+    throw Failure(vtkErrorCode::UnknownError, "the input image is empty");
+  }
+  vtkDataArray* scalars = job.Image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfTuples() < job.Image->GetNumberOfPoints())
+  {
+    throw Failure(vtkErrorCode::UnknownError, "the input image has no scalars");
+  }
+  if (FileType(scalars->GetDataType()) == TypeDesc::UNKNOWN)
+  {
+    throw Failure(vtkErrorCode::UnknownError,
+      std::string("the input image has scalars of the type ") + scalars->GetDataTypeAsString());
+  }
+  int dimensions[3];
+  job.Image->GetDimensions(dimensions);
+  if (dimensions[2] != 1)
+  {
+    throw Failure(vtkErrorCode::UnknownError,
+      "the input image has " + std::to_string(dimensions[2]) + " slices; one is written");
+  }
+}
+
+void WriteWholeFile(const Job& job)
+{
+  CheckInput(job);
+  std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(job.FileName);
+  if (!output)
+  {
+    throw Failure(vtkErrorCode::UnrecognizedFileTypeError, OneLine(OIIO::geterror()));
+  }
+  const OIIO::ImageSpec spec = FileSpec(job, output->format_name());
+  CheckComponents(*output, spec.nchannels);
+
+  // In this order: the format's writer must go before the file, for its destructor may write.
+  TemporaryFile file(job.FileName);
+  const std::unique_ptr<OIIO::ImageOutput> format = std::move(output);
+  const bool checked = format->supports("ioproxy") && format->set_ioproxy(&file);
+  if (!checked)
+  {
+    file.Finish();
+  }
+  if (!format->open(file.filename(), spec))
+  {
+    throw Failure(vtkErrorCode::FileFormatError, OneLine(format->geterror()));
+  }
+  CheckType(*format, spec.format, job.PixelType == vtkOpenImageIOWriter::Automatic);
+  WriteRows(job, *format);
+  // Its text alone is no failure: TIFF leaves one behind files that are whole.
+  const bool closed = format->close();
+  const std::string text = format->geterror();
+  if (!closed)
+  {
+    throw Failure(vtkErrorCode::OutOfDiskSpaceError, "writing failed: " + OneLine(text));
+  }
+  if (const int error = file.Finish())
+  {
+    throw Failure(
+      vtkErrorCode::OutOfDiskSpaceError, std::string("writing failed: ") + std::strerror(error));
+  }
+  CheckFile(file.filename(), format->spec(), !checked);
+  file.Rename();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOpenImageIOWriter::vtkOpenImageIOWriter() = default;
+
+//------------------------------------------------------------------------------
+vtkOpenImageIOWriter::~vtkOpenImageIOWriter()
+{
+  this->SetCompression(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenImageIOWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const types[] = { "Automatic", "UnsignedChar", "UnsignedShort", "Half",
+    "Float" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PixelType: " << types[this->PixelType] << "\n";
+  os << indent << "Compression: " << (this->Compression ? this->Compression : "(none)") << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenImageIOWriter::Write()
+{
+  // Stands if the pipeline stops before it comes to this writer.
+  this->ErrorCode = vtkErrorCode::UnknownError;
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    vtkErrorMacro(
+      "Cannot write \"" << (this->FileName ? this->FileName : "") << "\": there is no input.");
+    return;
+  }
+  this->Modified();
+  this->UpdateWholeExtent();
+}
+
+//------------------------------------------------------------------------------
+int vtkOpenImageIOWriter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  const Job job{ this, vtkImageData::GetData(inputVector[0], 0),
+    this->FileName ? this->FileName : "", this->PixelType,
+    this->Compression ? this->Compression : "", this->Quality };
+  std::string reason;
+  // Assigned, not set: SetErrorCode would mark the writer as modified.
+  this->ErrorCode = Guard([&] { WriteWholeFile(job); }, reason);
+  if (!reason.empty())
+  {
+    vtkErrorMacro("Cannot write \"" << job.FileName << "\": " << reason << ".");
+  }
+  // Success in any case: the pipeline would add an error of its own that says nothing more.
+  return 1;
+}
