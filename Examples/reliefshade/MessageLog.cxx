@@ -6,8 +6,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <cstdio>
 #include <mutex>
 #include <sstream>
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 namespace
 {
@@ -106,6 +112,37 @@ std::string withoutName(std::string text, const std::string& file)
     text.pop_back();
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+Silence::Silence()
+{
+#ifndef _WIN32
+  std::fflush(stderr);
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere >= 0)
+  {
+    this->Saved = dup(STDERR_FILENO);
+    if (this->Saved >= 0)
+    {
+      dup2(nowhere, STDERR_FILENO);
+    }
+    close(nowhere);
+  }
+#endif
+}
+
+//------------------------------------------------------------------------------
+Silence::~Silence()
+{
+#ifndef _WIN32
+  if (this->Saved >= 0)
+  {
+    std::fflush(stderr);
+    dup2(this->Saved, STDERR_FILENO);
+    close(this->Saved);
+  }
+#endif
 }
 
 //------------------------------------------------------------------------------

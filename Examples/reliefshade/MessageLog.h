@@ -21,6 +21,20 @@ bool hasError();
 /// it.
 std::string withoutName(std::string text, const std::string& file);
 
+/// While one lives, nothing appears on the standard error stream. libpng, beneath OpenImageIO,
+/// prints there what is reported as well.
+class Silence
+{
+public:
+  Silence();
+  ~Silence();
+  Silence(const Silence&) = delete;
+  void operator=(const Silence&) = delete;
+
+private:
+  int Saved = -1;
+};
+
 /// The text as one line: runs of white space become single blanks.
 std::string oneLine(const std::string& text);
 

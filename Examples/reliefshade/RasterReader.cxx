@@ -26,7 +26,10 @@ void readPicture(const std::string& file, const ReadOptions& options, Raster& ra
   reader->SetFileName(file.c_str());
   reader->AlphaAsMaskOn();
   watch(reader, false);
-  reader->Update();
+  {
+    const Silence silence;
+    reader->Update();
+  }
   stopIfInterrupted();
   if (hasError())
   {

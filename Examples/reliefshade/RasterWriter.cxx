@@ -46,6 +46,7 @@ unsigned long writePicture(const std::string& file, vtkImageData* image, bool dr
     writer->SetInputConnection(colours->GetOutputPort());
   }
   watch(writer, false);
+  const Silence silence;
   writer->Write();
   return writer->GetErrorCode();
 }

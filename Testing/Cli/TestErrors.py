@@ -159,7 +159,8 @@ class Output(Case):
         self.bad(1, ["out.none", "'.none'"], "hills.asc", "out.none")
         self.bad(1, ["out", "''"], "hills.asc", "out")
         self.bad(1, ["out.exr", "--type"], "hills.asc", "out.exr", "--type", "uint8")
-        self.bad(1, ["out.jpg", "--type"], "hills.asc", "out.jpg", "--type", "float")
+        for name in ("out.jpg", "out.png"):
+            self.bad(1, [name, "--type"], "hills.asc", name, "--type", "float")
 
     @needsGdal
     def test_full_disk_leaves_the_old_file(self):
