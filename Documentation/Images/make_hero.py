@@ -10,15 +10,15 @@ import sys
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (windows and mappers)
-from reliefshading import vtkImageReliefShading
+from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 from vtkmodules.vtkFiltersTexture import vtkTextureMapToPlane
-from vtkmodules.vtkImagingCore import (vtkImageCast, vtkImageChangeInformation, vtkImageResample,
-                                        vtkImageResize, vtkImageSincInterpolator)
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter, vtkTIFFReader
+from vtkmodules.vtkImagingCore import (vtkImageCast, vtkImageResample, vtkImageResize,
+                                        vtkImageSincInterpolator)
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkTexture, vtkWindowToImageFilter)
 
@@ -36,12 +36,9 @@ def pixels(image):
 
 
 def terrain(width, height):
-    reader = vtkTIFFReader()
-    reader.SetFileName(str(HEIGHTS))
-    reader.SetOrientationType(4)  # the file's last row becomes the image's first: north is up
-    metres = vtkImageChangeInformation()
-    metres.SetInputConnection(reader.GetOutputPort())
-    metres.SetOutputSpacing(74.6, 92.5, 1.0)  # 3 seconds of arc
+    metres = vtkOpenImageIOReader()
+    metres.SetFileName(str(HEIGHTS))
+    metres.SetDataSpacing(74.6, 92.5, 1.0)  # 3 seconds of arc
     floats = vtkImageCast()
     floats.SetInputConnection(metres.GetOutputPort())
     floats.SetOutputScalarTypeToFloat()

@@ -6,17 +6,17 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkImageChangeInformation.h>
+#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkImageDataGeometryFilter.h>
 #include <vtkImageReliefShading.h>
 #include <vtkLight.h>
+#include <vtkOpenImageIOReader.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkReliefMaterial.h>
 #include <vtkReliefScene.h>
 #include <vtkRenderer.h>
-#include <vtkTIFFReader.h>
 #include <vtkTexture.h>
 #include <vtkTextureMapToPlane.h>
 #include <vtkWarpScalar.h>
@@ -32,15 +32,16 @@ int main(int argc, char* argv[])
   }
   const double exaggeration = 2.5;
 
-  vtkNew<vtkTIFFReader> reader;
-  reader->SetFileName(argv[1]);
-  reader->SetOrientationType(4); // the file's last row becomes the image's first: north is up
-
   // The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
   // spacing, so the spacing is set in metres, as it is at the latitude of this file.
-  vtkNew<vtkImageChangeInformation> heights;
-  heights->SetInputConnection(reader->GetOutputPort());
-  heights->SetOutputSpacing(74.6, 92.5, 1.0);
+  vtkNew<vtkOpenImageIOReader> heights;
+  heights->SetFileName(argv[1]);
+  heights->SetDataSpacing(74.6, 92.5, 1.0);
+  heights->Update();
+  if (heights->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    return EXIT_FAILURE; // the reader has said why
+  }
 
   vtkNew<vtkImageReliefShading> shading;
   shading->SetInputConnection(heights->GetOutputPort());
@@ -68,7 +69,6 @@ int main(int argc, char* argv[])
 
   // A texture runs from the outer edge of its first texel to that of its last one, half a sample
   // beyond the image's bounds. The plane is set so that each texel's centre falls on its sample.
-  heights->Update();
   const double* bounds = heights->GetOutput()->GetBounds();
   const double* spacing = heights->GetOutput()->GetSpacing();
   const double west = bounds[0] - spacing[0] / 2.0, east = bounds[1] + spacing[0] / 2.0;

@@ -5,16 +5,16 @@
 #include "ShowOrWrite.h"
 
 #include <vtkCamera.h>
-#include <vtkImageChangeInformation.h>
+#include <vtkErrorCode.h>
 #include <vtkImageProperty.h>
 #include <vtkImageReliefShading.h>
 #include <vtkImageSlice.h>
 #include <vtkImageSliceMapper.h>
 #include <vtkLight.h>
+#include <vtkOpenImageIOReader.h>
 #include <vtkReliefMaterial.h>
 #include <vtkReliefScene.h>
 #include <vtkRenderer.h>
-#include <vtkTIFFReader.h>
 
 #include <iostream>
 
@@ -25,15 +25,17 @@ int main(int argc, char* argv[])
     std::cerr << "Usage: " << argv[0] << " heights.tif [picture.png]\n";
     return EXIT_FAILURE;
   }
-  vtkNew<vtkTIFFReader> reader;
-  reader->SetFileName(argv[1]);
-  reader->SetOrientationType(4); // the file's last row becomes the image's first: north is up
 
   // The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
   // spacing, so the spacing is set in metres, as it is at the latitude of this file.
-  vtkNew<vtkImageChangeInformation> heights;
-  heights->SetInputConnection(reader->GetOutputPort());
-  heights->SetOutputSpacing(74.6, 92.5, 1.0);
+  vtkNew<vtkOpenImageIOReader> heights;
+  heights->SetFileName(argv[1]);
+  heights->SetDataSpacing(74.6, 92.5, 1.0);
+  heights->Update();
+  if (heights->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    return EXIT_FAILURE; // the reader has said why
+  }
 
   vtkNew<vtkImageReliefShading> shading;
   shading->SetInputConnection(heights->GetOutputPort());

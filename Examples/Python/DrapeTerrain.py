@@ -6,12 +6,10 @@
 
 import argparse
 
-from reliefshading import vtkImageReliefShading
+from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
 from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
 from vtkmodules.vtkFiltersTexture import vtkTextureMapToPlane
-from vtkmodules.vtkImagingCore import vtkImageChangeInformation
-from vtkmodules.vtkIOImage import vtkTIFFReader
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkTexture)
 
@@ -24,15 +22,14 @@ parser.add_argument("heights", help="TIFF file of heights in metres")
 parser.add_argument("picture", nargs="?", help="PNG file to write instead of opening a window")
 arguments = parser.parse_args()
 
-reader = vtkTIFFReader()
-reader.SetFileName(arguments.heights)
-reader.SetOrientationType(4)  # the file's last row becomes the image's first: north is up
-
 # The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
 # spacing, so the spacing is set in metres, as it is at the latitude of this file.
-heights = vtkImageChangeInformation()
-heights.SetInputConnection(reader.GetOutputPort())
-heights.SetOutputSpacing(74.6, 92.5, 1.0)
+heights = vtkOpenImageIOReader()
+heights.SetFileName(arguments.heights)
+heights.SetDataSpacing(74.6, 92.5, 1.0)
+heights.Update()
+if heights.GetErrorCode():
+    raise SystemExit(1)  # the reader has said why
 
 shading = vtkImageReliefShading()
 shading.SetInputConnection(heights.GetOutputPort())
@@ -58,7 +55,6 @@ warp.SetScaleFactor(EXAGGERATION)
 
 # A texture runs from the outer edge of its first texel to that of its last one, half a sample
 # beyond the image's bounds. The plane is set so that each texel's centre falls on its sample.
-heights.Update()
 bounds = heights.GetOutput().GetBounds()
 dx, dy, _ = heights.GetOutput().GetSpacing()
 west, east = bounds[0] - dx / 2.0, bounds[1] + dx / 2.0

@@ -7,7 +7,8 @@ import reliefshading
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm
 
-CLASSES = ("vtkImageReliefShading", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
+CLASSES = ("vtkImageReliefShading", "vtkOpenImageIOReader", "vtkOpenImageIOWriter",
+           "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
 
 
 class TestImport(unittest.TestCase):
@@ -29,7 +30,7 @@ class TestImport(unittest.TestCase):
         text = reliefshading.vtkReliefMaterial.SetSubsurfaceDepth.__doc__
         self.assertIn("how far below the surface", " ".join(text.split()))
 
-    def test_keywords_of_modes(self):
+    def test_modes(self):
         material = reliefshading.vtkReliefMaterial()
         material.SetOffsetModeToSurfaceNormal()
         self.assertEqual(material.GetOffsetMode(), reliefshading.vtkReliefMaterial.SurfaceNormal)
