@@ -107,6 +107,10 @@ void MinMaxPyramid::Allocate(int columns, int rows)
 
 void MinMaxPyramid::BuildBase(const HeightView<float>& heights, int begin, int end)
 {
+  if (begin >= end)
+  {
+    return; // a field without cells has no levels
+  }
   // Down the columns first, whole rows at a time, which the compiler makes vectors of; then along.
   const int columns = heights.columns;
   const std::ptrdiff_t step = heights.stepX;
