@@ -253,3 +253,46 @@ TEST(RayProperties, DepthZeroIsTheLimit)
   std::printf("%ld samples, %ld of them grazed\n", compared, grazing);
   EXPECT_LE(grazing, compared / 10);
 }
+
+// At depth 0 d jumps at every shadow's edge. Elsewhere single precision keeps its accuracy.
+TEST(RayProperties, DepthZeroInSinglePrecision)
+{
+  std::vector<double> all;
+  long edges = 0;
+  for (int number = 0; number < NumberOfScenes; ++number)
+  {
+    RandomScene scene = Scene(number);
+    SCOPED_TRACE(Name(number, scene));
+    scene.medium.depth = 0.0;
+    Samples<float> samples(scene.terrain);
+    Samples<double> exact(scene.terrain);
+    Traced<float> single = Trace<float>(samples.WithBounds(), scene.medium, scene.light);
+    Traced<double> reference = Trace<double>(exact.WithoutBounds(), scene.medium, scene.light);
+    for (std::size_t k = 0; k < reference.d.size(); ++k)
+    {
+      if (std::isnan(reference.d[k]))
+      {
+        continue;
+      }
+      double error = std::abs(single.d[k] - reference.d[k]);
+      all.push_back(error);
+      if (error > 1e-3)
+      {
+        // An edge is where rounding of the input makes a shadow of another thickness, or one that
+        // is no thicker than rounding itself.
+        ++edges;
+        int i = static_cast<int>(k) % scene.terrain.columns;
+        int j = static_cast<int>(k) / scene.terrain.columns;
+        oracle::Range range = RangeOf(scene, i, j, 0x1p-22L);
+        double unit = scene.terrain.spacingX;
+        bool thin = std::max<double>(reference.r[k], single.r[k]) < 1e-6 * unit;
+        EXPECT_TRUE(thin || range.hi - range.lo > 1e-3L * unit)
+          << "sample " << i << ' ' << j << ": d = " << single.d[k] << ", not " << reference.d[k];
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  double most = all[(all.size() - 1) * 999 / 1000];
+  std::printf("%zu samples: 99.9 %% within %.3g; %ld at shadows' edges\n", all.size(), most, edges);
+  EXPECT_LE(most, 1e-5);
+}
