@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FilterRun_h
+#define FilterRun_h
+
+#include "BenchmarkTerrain.h"
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkImageReliefShading.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkReliefScene.h>
+#include <vtkSMPTools.h>
+
+#include <utility>
+#include <vector>
+
+namespace bench
+{
+
+/// Suns all over the sky, between 10 and 80 degrees high: azimuth and altitude.
+inline std::vector<std::pair<double, double>> Suns(int count)
+{
+  std::vector<std::pair<double, double>> suns;
+  for (int k = 0; k < count; ++k)
+  {
+    suns.emplace_back(360.0 * k / count + 7.0, 10.0 + 10.0 * (k * 5 % 8));
+  }
+  return suns;
+}
+
+/// The whole filter, heights to 8-bit colour: padded copy, bounds, rays and colours, at the default
+/// tolerance and with t = one sample's spacing.
+class FilterRun
+{
+public:
+  FilterRun(const Relief& relief, const std::vector<std::pair<double, double>>& suns)
+  {
+    this->Image->SetDimensions(relief.columns, relief.rows, 1);
+    this->Image->SetSpacing(relief.spacing, relief.spacing, 1.0);
+    vtkNew<vtkFloatArray> heights;
+    heights->SetArray(
+      const_cast<float*>(relief.heights.data()), static_cast<vtkIdType>(relief.heights.size()), 1);
+    this->Image->GetPointData()->SetScalars(heights);
+    this->Shading->SetInputData(this->Image);
+    this->Shading->SetOutputScalarTypeToUnsignedChar();
+    for (const auto& [azimuth, altitude] : suns)
+    {
+      this->Shading->GetScene()->AddSun(azimuth, altitude);
+    }
+  }
+
+  /// Computes everything anew.
+  void Run(int threads)
+  {
+    // The sequential backend stays on this thread, whose time then is all the time.
+    vtkSMPTools::SetBackend(threads > 1 ? "STDThread" : "Sequential");
+    vtkSMPTools::Initialize(threads);
+    this->Image->Modified();
+    this->Shading->Update();
+  }
+
+private:
+  vtkNew<vtkImageData> Image;
+  vtkNew<vtkImageReliefShading> Shading;
+};
+
+}
+
+#endif
