@@ -12,11 +12,11 @@ import os
 import sys
 
 import numpy as np
-from reliefshading import vtkImageReliefShading
+from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageResize, vtkImageSincInterpolator
-from vtkmodules.vtkIOImage import vtkPNGWriter, vtkTIFFReader
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FOLDER = sys.argv[1] if len(sys.argv) > 1 else HERE
@@ -57,9 +57,8 @@ def encode(linear):
 
 def terrain(size):
     """A part of the example terrain, resampled to `size` samples."""
-    reader = vtkTIFFReader()
+    reader = vtkOpenImageIOReader()
     reader.SetFileName(TERRAIN)
-    reader.SetOrientationType(4)
     reader.Update()
     heights = array_of(reader.GetOutput())[20:200, 60:250, 0].astype(np.float32)
     resize = vtkImageResize()
