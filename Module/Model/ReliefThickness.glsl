@@ -205,18 +205,19 @@ RELIEF_FN bool reliefSettled(ReliefMedium medium, real thickness, real rest)
     2.0f * medium.tolerance;
 }
 
-// Sums the closed-form inside length cell by cell, blocks that lie wholly above or below the ray at
-// once. Across holes and outside the image the surface is held level.
-RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray)
+// Whether a ray runs down into bottomless material for ever.
+RELIEF_FN bool reliefEndless(ReliefMedium medium, ReliefRay ray)
 {
-  ReliefTrace result;
-  result.thickness = 0.0f;
-  result.rest = 0.0f;
-  result.cells = 0;
+  return ray.dz < 0.0f && !medium.useFloor && ray.end >= RELIEF_INFINITY;
+}
 
-  // The part of the ray that can be inside: above the floor and not above everything.
-  real from = 0.0f;
-  real to = ray.end;
+// The stretch of a ray that can be inside: above the floor, not above everything and this side of the
+// light. Nothing where it ends before it begins.
+RELIEF_FIELD_FN void reliefStretch(
+  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, RELIEF_OUT(real) from, RELIEF_OUT(real) to)
+{
+  from = 0.0f;
+  to = ray.end;
   if (medium.useFloor)
   {
     real above = medium.floorHeight - ray.base + ray.sink;
@@ -230,18 +231,32 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
     }
     else if (above >= 0.0f)
     {
-      return result;
+      to = 0.0f;
     }
-  }
-  else if (ray.dz < 0.0f && ray.end >= RELIEF_INFINITY)
-  {
-    result.thickness = RELIEF_INFINITY;
-    return result;
   }
   if (ray.dz > 0.0f)
   {
     to = min(to, (reliefTop(field) - ray.base + ray.sink) / ray.dz);
   }
+}
+
+// Sums the closed-form inside length cell by cell, blocks that lie wholly above or below the ray at
+// once. Across holes and outside the image the surface is held level.
+RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray)
+{
+  ReliefTrace result;
+  result.thickness = 0.0f;
+  result.rest = 0.0f;
+  result.cells = 0;
+
+  if (reliefEndless(medium, ray))
+  {
+    result.thickness = RELIEF_INFINITY;
+    return result;
+  }
+  real from;
+  real to;
+  reliefStretch(field, medium, ray, from, to);
 
   int columns = reliefColumns(field) - 1; // cells along x
   int rows = reliefRows(field) - 1;
@@ -568,11 +583,10 @@ RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, Reli
 //-------------------------------------------------------------------------------------------------
 // The two integrators
 
-// d at the start of a ray, exactly or within the tolerance.
-RELIEF_FIELD_FN real reliefExact(
-  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l, RELIEF_OUT(ReliefTrace) trace)
+// d at the start of a ray that has been traced.
+RELIEF_FIELD_FN real reliefTraced(
+  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l, ReliefTrace trace)
 {
-  trace = reliefTrace(field, medium, ray);
   real d = reliefIllumination(medium, trace.thickness);
   if (trace.rest > 0.0f)
   {
@@ -584,6 +598,14 @@ RELIEF_FIELD_FN real reliefExact(
     return reliefContact(field, medium, ray, n, l);
   }
   return d;
+}
+
+// d at the start of a ray, exactly or within the tolerance.
+RELIEF_FIELD_FN real reliefExact(
+  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l, RELIEF_OUT(ReliefTrace) trace)
+{
+  trace = reliefTrace(field, medium, ray);
+  return reliefTraced(field, medium, ray, n, l, trace);
 }
 
 // n of Algorithm 1 (section 4.3.1): how many of the steps + 1 points from the start to the light stand

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneShading.h"
 
+#include "PacketThickness.h"
 #include "StepThickness.h"
 
 #include <algorithm>
@@ -68,12 +69,15 @@ private:
 };
 }
 
-// Sums and intermediate results of a tile, and the part of it that is asked for.
+// Sums and intermediate results of a tile. It is computed as far as it lies in the image, whatever
+// part of it is asked for: neighbouring rays are traced together, and results must not depend on
+// the company.
 struct SceneShading::Tile
 {
   int column; // of the tile
   int row;
-  int i0, i1, j0, j1;
+  int i0, i1, j0, j1;                     // in the image
+  int askedI0, askedI1, askedJ0, askedJ1; // asked for
   bool anyData;
 
   static constexpr int Width = SweepThickness::TileWidth;
@@ -100,10 +104,23 @@ struct SceneShading::Tile
   template <class Body>
   void ForEach(Body&& body) const
   {
-    for (int j = this->j0; j < this->j1; ++j)
+    this->ForRectangle(this->i0, this->i1, this->j0, this->j1, body);
+  }
+
+  template <class Body>
+  void ForEachAsked(Body&& body) const
+  {
+    this->ForRectangle(this->askedI0, this->askedI1, this->askedJ0, this->askedJ1, body);
+  }
+
+private:
+  template <class Body>
+  void ForRectangle(int x0, int x1, int y0, int y1, Body& body) const
+  {
+    for (int j = y0; j < y1; ++j)
     {
-      int at = this->At(this->i0, j);
-      for (int i = this->i0; i < this->i1; ++i, ++at)
+      int at = this->At(x0, j);
+      for (int i = x0; i < x1; ++i, ++at)
       {
         body(i, j, at);
       }
@@ -243,15 +260,20 @@ void SceneShading::Shade(int i0, int i1, int j0, int j1)
 {
   constexpr int width = SweepThickness::TileWidth;
   constexpr int height = SweepThickness::TileHeight;
+  const HeightView<float>& heights = this->Heights.heights;
   auto tile = std::make_unique<Tile>();
   for (tile->row = j0 / height; tile->row * height < j1; ++tile->row)
   {
-    tile->j0 = std::max(j0, tile->row * height);
-    tile->j1 = std::min(j1, (tile->row + 1) * height);
+    tile->j0 = tile->row * height;
+    tile->j1 = std::min(tile->j0 + height, heights.rows);
+    tile->askedJ0 = std::max(j0, tile->j0);
+    tile->askedJ1 = std::min(j1, tile->j1);
     for (tile->column = i0 / width; tile->column * width < i1; ++tile->column)
     {
-      tile->i0 = std::max(i0, tile->column * width);
-      tile->i1 = std::min(i1, (tile->column + 1) * width);
+      tile->i0 = tile->column * width;
+      tile->i1 = std::min(tile->i0 + width, heights.columns);
+      tile->askedI0 = std::max(i0, tile->i0);
+      tile->askedI1 = std::min(i1, tile->i1);
       this->ShadeTile(*tile);
     }
   }
@@ -301,7 +323,7 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
   { return static_cast<std::size_t>(j - this->Out.j0) * this->Out.width + (i - this->Out.i0); };
   if (plan.kept)
   {
-    tile.ForEach(
+    tile.ForEachAsked(
       [&](int i, int j, int at)
       {
         tile.d[at] = plan.kept->illumination[place(i, j)];
@@ -344,7 +366,7 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
   this->Cells += work.cells;
   if (plan.fresh)
   {
-    tile.ForEach(
+    tile.ForEachAsked(
       [&](int i, int j, int at)
       {
         plan.fresh->illumination[place(i, j)] = tile.d[at];
@@ -451,7 +473,7 @@ void SceneShading::Write(const Tile& tile)
   auto place = [&](int i, int j)
   { return static_cast<std::size_t>(j - out.j0) * out.width + (i - out.i0); };
 
-  tile.ForEach(
+  tile.ForEachAsked(
     [&](int i, int j, int at)
     {
       glm::vec3 color = base + tile.diffuse[at];
@@ -487,7 +509,7 @@ void SceneShading::Write(const Tile& tile)
   {
     if (layer)
     {
-      tile.ForEach([&](int i, int j, int at)
+      tile.ForEachAsked([&](int i, int j, int at)
         { layer[place(i, j)] = tile.hasData[at] ? values[at] * factor : none; });
     }
   };
@@ -495,7 +517,7 @@ void SceneShading::Write(const Tile& tile)
   {
     if (layer)
     {
-      tile.ForEach(
+      tile.ForEachAsked(
         [&](int i, int j, int at)
         {
           const glm::vec3 value = !tile.hasData[at] ? missing : values ? values[at] : otherwise;

@@ -9,49 +9,15 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "SweepThickness.cxx"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+// After the loop over the targets, which defines for which one this is.
+#include "ThicknessLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief
 {
 namespace HWY_NAMESPACE
 {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Tag = hn::CappedTag<float, SweepThickness::TileWidth>;
-using Vector = hn::Vec<Tag>;
-using Mask = hn::Mask<Tag>;
-
-// reliefInsideShare() for the lanes of a vector.
-HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
-{
-  const Vector zero = hn::Zero(tag);
-  const Vector one = hn::Set(tag, 1.0f);
-  const Mask aInside = hn::Gt(a, zero);
-  const Mask bInside = hn::Gt(b, zero);
-  const Vector slope = hn::Sub(hn::Sub(b, a), c);
-  const Vector square = hn::Mul(slope, slope);
-  const Vector discriminant = hn::Sub(square, hn::Mul(hn::Set(tag, 4.0f), hn::Mul(a, c)));
-  const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
-
-  // Same side at both ends: the stretch between two crossings, if there are any.
-  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Abs(hn::Sub(b, a))),
-    hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
-  const Vector between = hn::IfThenElseZero(turns, hn::Min(hn::Div(root, hn::Abs(c)), one));
-  const Vector same = hn::IfThenElse(aInside, hn::Sub(one, between), between);
-
-  // One crossing, seen from the positive side.
-  const Vector q = hn::IfThenElse(aInside, slope, hn::Neg(slope));
-  const Vector sa = hn::Abs(a);
-  const Vector sc = hn::IfThenElse(aInside, c, hn::Neg(c));
-  const Mask falls = hn::Lt(q, zero);
-  const Vector numerator = hn::IfThenElse(falls, hn::Add(sa, sa), hn::Neg(hn::Add(q, root)));
-  const Vector denominator = hn::IfThenElse(falls, hn::Sub(root, q), hn::Add(sc, sc));
-  const Vector u = hn::Min(hn::Max(hn::Div(numerator, denominator), zero), one);
-  const Vector once = hn::IfThenElse(aInside, u, hn::Sub(one, u));
-
-  return hn::IfThenElse(hn::Xor(aInside, bInside), once, same);
-}
 
 // The rows of the padded heights; rows outside the image have no data.
 struct Rows
@@ -312,33 +278,12 @@ void MeasureRest(const SweepThickness::Plan& plan, float distance, Tile& tile)
 bool IsSettled(const SweepThickness::Plan& plan, float distance, const Tile& tile)
 {
   const Tag tag;
-  const f32::ReliefMedium& medium = plan.medium;
-  const Vector depth = hn::Set(tag, medium.depth);
-  const Vector twice = hn::Set(tag, 2.0f * medium.tolerance);
-  const bool exponential = medium.attenuation == f32::RELIEF_EXPONENTIAL;
-  // exp(-a (r - t)) <= 2 epsilon from this thickness on.
-  const float dark = exponential
-    ? medium.depth - std::log(std::min(2.0f * medium.tolerance, 1.0f)) / medium.density
-    : 0.0f;
+  const Settler settler(plan.medium);
   for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
   {
     const Vector rest = RestOf(tag, plan, distance, hn::Load(tag, tile.base + at));
-    const Vector thickness = hn::Load(tag, tile.thickness + at);
     // Samples without data compare false and so are never open.
-    Mask open;
-    if (exponential)
-    {
-      // The slope of d is at most a.
-      open = hn::And(hn::Lt(thickness, hn::Set(tag, dark)),
-        hn::Gt(hn::Mul(rest, hn::Set(tag, medium.density)), twice));
-    }
-    else
-    {
-      // t / r - t / (r + rest) > 2 epsilon, without the divisions.
-      const Vector r = hn::Max(thickness, depth);
-      open = hn::Gt(hn::Mul(depth, rest), hn::Mul(hn::Mul(twice, r), hn::Add(r, rest)));
-    }
-    if (!hn::AllFalse(tag, open))
+    if (!hn::AllFalse(tag, settler.Open(tag, hn::Load(tag, tile.thickness + at), rest)))
     {
       return false;
     }

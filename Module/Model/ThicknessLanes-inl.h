@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once for each instruction set, hence the guard that toggles.
+#if defined(ThicknessLanes_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef ThicknessLanes_inl_h
+#undef ThicknessLanes_inl_h
+#else
+#define ThicknessLanes_inl_h
+#endif
+
+#include "ReliefModel.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace relief
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+// As many rays as fit into one vector, at most 32.
+using Tag = hn::CappedTag<float, 32>;
+using Vector = hn::Vec<Tag>;
+using Mask = hn::Mask<Tag>;
+
+// reliefInsideShare() for the lanes of a vector.
+HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
+{
+  const Vector zero = hn::Zero(tag);
+  const Vector one = hn::Set(tag, 1.0f);
+  const Mask aInside = hn::Gt(a, zero);
+  const Mask bInside = hn::Gt(b, zero);
+  const Vector slope = hn::Sub(hn::Sub(b, a), c);
+  const Vector square = hn::Mul(slope, slope);
+  const Vector discriminant = hn::Sub(square, hn::Mul(hn::Set(tag, 4.0f), hn::Mul(a, c)));
+  const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
+
+  // Same side at both ends: the stretch between two crossings, if there are any.
+  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Abs(hn::Sub(b, a))),
+    hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
+  const Vector between = hn::IfThenElseZero(turns, hn::Min(hn::Div(root, hn::Abs(c)), one));
+  const Vector same = hn::IfThenElse(aInside, hn::Sub(one, between), between);
+
+  // One crossing, seen from the positive side.
+  const Vector q = hn::IfThenElse(aInside, slope, hn::Neg(slope));
+  const Vector sa = hn::Abs(a);
+  const Vector sc = hn::IfThenElse(aInside, c, hn::Neg(c));
+  const Mask falls = hn::Lt(q, zero);
+  const Vector numerator = hn::IfThenElse(falls, hn::Add(sa, sa), hn::Neg(hn::Add(q, root)));
+  const Vector denominator = hn::IfThenElse(falls, hn::Sub(root, q), hn::Add(sc, sc));
+  const Vector u = hn::Min(hn::Max(hn::Div(numerator, denominator), zero), one);
+  const Vector once = hn::IfThenElse(aInside, u, hn::Sub(one, u));
+
+  return hn::IfThenElse(hn::Xor(aInside, bInside), once, same);
+}
+
+// Tells which rays' d may still change by more than the tolerance.
+class Settler
+{
+public:
+  explicit Settler(const f32::ReliefMedium& medium)
+    : Exponential(medium.attenuation == f32::RELIEF_EXPONENTIAL)
+    , Depth(medium.depth)
+    , Twice(2.0f * medium.tolerance)
+    , Density(medium.density)
+    // exp(-a (r - t)) <= 2 epsilon from this thickness on.
+    , Dark(this->Exponential ? medium.depth - std::log(std::min(this->Twice, 1.0f)) / medium.density
+                             : 0.0f)
+  {
+  }
+
+  HWY_INLINE Mask Open(Tag tag, Vector thickness, Vector rest) const
+  {
+    const Vector twice = hn::Set(tag, this->Twice);
+    if (this->Exponential)
+    {
+      // The slope of d is at most a.
+      return hn::And(hn::Lt(thickness, hn::Set(tag, this->Dark)),
+        hn::Gt(hn::Mul(rest, hn::Set(tag, this->Density)), twice));
+    }
+    // t / r - t / (r + rest) > 2 epsilon, without the divisions.
+    const Vector depth = hn::Set(tag, this->Depth);
+    const Vector r = hn::Max(thickness, depth);
+    return hn::Gt(hn::Mul(depth, rest), hn::Mul(hn::Mul(twice, r), hn::Add(r, rest)));
+  }
+
+private:
+  bool Exponential;
+  float Depth;
+  float Twice;
+  float Density;
+  float Dark;
+};
+
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
