@@ -128,7 +128,7 @@ inline relief::Scene Rich()
   scene.specularFalloff = { 0.2, 1.0, 3.0 };
   scene.scatterFalloff = { -1.0, 1.0, 2.0 };
   scene.medium.depth = 0.8;
-  scene.lights = { Sun(315.0, 40.0), Lamp(30.0, 20.0, 8.0), Lamp(10.0, 60.0, -3.0) };
+  scene.lights = { Sun(315.0, 40.0), Lamp(30.3, 20.6, 8.0), Lamp(10.2, 60.7, -3.0) };
   scene.lights[0].color = glm::dvec3(1.0, 0.9, 0.8);
   scene.lights[1].intensity = 0.7;
   scene.lights[2].weight = 0.5;
