@@ -207,12 +207,15 @@ Relief Terrain(int columns, int rows, double spacing, int first)
   return relief;
 }
 
-Relief Medallion()
+Relief Medallion(int size)
 {
   auto image = medallion::MakeHeights();
-  Relief relief = Make("medallion", medallion::Samples, medallion::Samples, medallion::Spacing);
-  const auto* heights = static_cast<const float*>(image->GetScalarPointer());
-  std::copy_n(heights, relief.heights.size(), relief.heights.begin());
+  const int first = std::max(medallion::Samples - size, 0) / 2;
+  size = std::min(size, medallion::Samples);
+  Relief relief = Make("medallion", size, size, medallion::Spacing);
+  Fill(relief,
+    [&](int i, int j)
+    { return *static_cast<const float*>(image->GetScalarPointer(first + i, first + j, 0)); });
   return relief;
 }
 

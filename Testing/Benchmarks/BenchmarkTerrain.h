@@ -33,8 +33,8 @@ constexpr double TerrainSpacing = 403 * 74.6 / 2048;
 /// The first sample stands `first` samples from the tile's corner along x and y.
 Relief Terrain(int columns, int rows, double spacing = TerrainSpacing, int first = 0);
 
-/// A bas-relief: the examples' medallion.
-Relief Medallion();
+/// A bas-relief: the examples' medallion, or so many samples square from its middle.
+Relief Medallion(int size = 900);
 
 /// Blocks of houses with flat roofs, vertical walls, yards and streets, a metre a sample.
 Relief City(int columns, int rows);

@@ -8,12 +8,13 @@
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
+#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPen.h>
 #include <vtkPlotLine.h>
 #include <vtkPlotPoints.h>
+#include <vtkRect.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -31,32 +32,35 @@ namespace
 {
 constexpr int Width = 1000;
 constexpr int Height = 700;
+// Drawn so many times larger and averaged: smooth lines and letters everywhere.
+constexpr int Scale = 2;
 
-// 0.001, 1, 1 000, 1 000 000: as people read them.
+// 0.001, 1, 1 000, 1 000 000: as people read them. The spaces keep the picture of a label, which is
+// repeated as a texture, from showing its other edge.
 std::string DecadeLabel(int exponent)
 {
   if (exponent < 0)
   {
-    return exponent < -4 ? "1e" + std::to_string(exponent)
-                         : "0." + std::string(-exponent - 1, '0') + "1";
+    return exponent < -3 ? " 1e" + std::to_string(exponent) + " "
+                         : " 0." + std::string(-exponent - 1, '0') + "1 ";
   }
   std::string text = "1" + std::string(exponent, '0');
   for (int place = static_cast<int>(text.size()) - 3; place > 0; place -= 3)
   {
     text.insert(place, " ");
   }
-  return text;
+  return " " + text + " ";
 }
 
 // Whole decades about all values, with a label each; or the values themselves.
 void SetUpAxis(vtkAxis* axis, const std::string& title, std::vector<double> values, bool eachValue)
 {
   axis->SetTitle(title);
-  axis->GetTitleProperties()->SetFontSize(17);
+  axis->GetTitleProperties()->SetFontSize(17 * Scale);
   axis->GetTitleProperties()->BoldOff();
-  axis->GetLabelProperties()->SetFontSize(15);
+  axis->GetLabelProperties()->SetFontSize(15 * Scale);
   axis->GetGridPen()->SetColor(225, 225, 225, 255);
-  axis->GetPen()->SetWidth(1.5f);
+  axis->GetPen()->SetWidth(1.5f * Scale);
   axis->LogScaleOn();
   axis->SetBehavior(vtkAxis::FIXED);
   if (values.empty())
@@ -116,10 +120,9 @@ void AddSeries(vtkChartXY* chart, const Series& series)
     vtkPlotPoints::SafeDownCast(chart->AddPlot(series.line ? vtkChart::LINE : vtkChart::POINTS));
   plot->SetInputData(table, 0, 1);
   plot->SetColor(series.color[0], series.color[1], series.color[2], 255);
-  plot->SetWidth(series.line ? 2.5f : 2.0f);
-  plot->GetPen()->SetLineType(series.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+  plot->SetWidth(2.5f * Scale);
   plot->SetMarkerStyle(series.marker);
-  plot->SetMarkerSize(series.line ? 9.0f : 17.0f);
+  plot->SetMarkerSize((series.line ? 9.0f : 17.0f) * Scale);
 }
 }
 
@@ -127,14 +130,17 @@ bool DrawChart(const Chart& description, const std::string& fileName)
 {
   vtkNew<vtkContextView> view;
   view->GetRenderWindow()->SetOffScreenRendering(1);
-  view->GetRenderWindow()->SetSize(Width, Height);
-  view->GetRenderWindow()->SetMultiSamples(8);
+  view->GetRenderWindow()->SetSize(Width * Scale, Height * Scale);
   view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
 
   vtkNew<vtkChartXY> chart;
   view->GetScene()->AddItem(chart);
+  // Room at the edges for the last labels.
+  chart->SetAutoSize(false);
+  chart->SetSize(
+    vtkRectf(8.0f * Scale, 8.0f * Scale, (Width - 36.0f) * Scale, (Height - 14.0f) * Scale));
   chart->SetTitle(description.title);
-  chart->GetTitleProperties()->SetFontSize(19);
+  chart->GetTitleProperties()->SetFontSize(19 * Scale);
   chart->GetTitleProperties()->BoldOn();
   std::vector<double> x;
   std::vector<double> y;
@@ -155,11 +161,12 @@ bool DrawChart(const Chart& description, const std::string& fileName)
   chart->SetShowLegend(true);
   vtkChartLegend* legend = chart->GetLegend();
   legend->SetHorizontalAlignment(
-    description.legendOnTheLeft ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
-  legend->SetVerticalAlignment(vtkChartLegend::TOP);
-  legend->SetLabelSize(15);
-  legend->SetSymbolWidth(35);
-  legend->SetPadding(7);
+    description.legendAbove ? vtkChartLegend::LEFT : vtkChartLegend::RIGHT);
+  legend->SetVerticalAlignment(
+    description.legendAbove ? vtkChartLegend::TOP : vtkChartLegend::BOTTOM);
+  legend->SetLabelSize(15 * Scale);
+  legend->SetSymbolWidth(35 * Scale);
+  legend->SetPadding(7 * Scale);
   legend->GetBrush()->SetColor(255, 255, 255, 230);
   legend->GetPen()->SetColor(180, 180, 180, 255);
 
@@ -168,10 +175,14 @@ bool DrawChart(const Chart& description, const std::string& fileName)
   grab->SetInput(view->GetRenderWindow());
   grab->SetInputBufferTypeToRGB();
   grab->ReadFrontBufferOff();
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetShrinkFactors(Scale, Scale, 1);
+  shrink->AveragingOn();
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(fileName.c_str());
   writer->SetCompressionLevel(9);
-  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetInputConnection(shrink->GetOutputPort());
   writer->Write();
   return writer->GetErrorCode() == 0;
 }

@@ -15,7 +15,6 @@ struct Series
   unsigned char color[3] = { 0, 0, 0 };
   int marker = 0;   ///< vtkPlotPoints
   bool line = true; ///< else the markers alone, larger
-  bool dashed = false;
   std::vector<double> x;
   std::vector<double> y;
 };
@@ -27,7 +26,7 @@ struct Chart
   std::string yTitle;
   std::vector<Series> series;
   bool powersOfTwo = false; ///< the numbers along x are sizes: label each point's
-  bool legendOnTheLeft = false;
+  bool legendAbove = false; ///< at the left; else below, at the right
 };
 
 /// Draws a chart with two logarithmic axes into a PNG, off-screen. Values that are not above 0 are

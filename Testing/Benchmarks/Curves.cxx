@@ -3,6 +3,7 @@
 
 #include "Timing.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -113,22 +114,49 @@ StepsFor FindSteps(const relief::HeightField& field, Stepping stepping, double e
   std::vector<float> d(reference.size());
   StepsFor found;
   found.error = std::numeric_limits<double>::infinity();
+  int since = 0;
   for (int steps = 256; steps <= mostSteps; steps *= 2)
   {
     const Probe thin = ProbeForSteps(probe, steps);
     const double start = Seconds(Clock::Thread);
     RunSteps(field, Medium(field, 0.0), sphere, stepping, steps, thin, d.data());
     const double time = Seconds(Clock::Thread) - start;
-    const double reached = Compare(thin, reference, d.data()).mostOf999;
-    found.error = reached < found.error ? reached : found.error;
+    const ErrorOfD measured = Compare(thin, reference, d.data());
+    const double reached = measured.mostOf999;
+    const double nanoseconds = 1.0e9 * time / static_cast<double>(thin.Size());
+    found.tried.push_back({ "", "", static_cast<double>(steps), nanoseconds, measured });
+    since = reached < 0.9 * found.error ? 0 : since + 1;
+    found.error = std::min(found.error, reached);
     if (reached <= error)
     {
       found.steps = steps;
-      found.nanoseconds = 1.0e9 * time / static_cast<double>(thin.Size());
+      found.nanoseconds = nanoseconds;
       return found;
+    }
+    if (since == 4)
+    {
+      break;
     }
   }
   return found;
+}
+
+double ShareBelowTop(const relief::HeightField& field)
+{
+  const relief::HeightView<float>& heights = field.GetField().heights;
+  const relief::Light sphere = SunOnSphere(field, CurveAzimuth, CurveAltitude);
+  const Probe probe = SpreadProbe(field, ProbeSize);
+  double sum = 0.0;
+  for (int j : probe.rows)
+  {
+    for (int i = 0; i < probe.columns; ++i)
+    {
+      const double height = heights.At(i, j);
+      const double rise = sphere.vector.z - height;
+      sum += rise > 0.0 ? std::min((field.GetTop() - height) / rise, 1.0) : 1.0;
+    }
+  }
+  return sum / static_cast<double>(probe.Size());
 }
 
 }

@@ -50,11 +50,17 @@ struct StepsFor
   int steps = 0;            ///< 0 if none does
   double nanoseconds = 0.0; ///< a sample
   double error = 0.0;       ///< that 99.9 % of the samples keep: at `steps`, or the least found
+  std::vector<CurvePoint> tried;
 };
 
-/// Doubles the steps, on fewer and fewer samples, until 99.9 % of them keep to an error.
+/// Doubles the steps, on fewer and fewer samples, until 99.9 % of them keep to an error, or until
+/// four doublings have not made the error less: where a surface is not the one that is asked for.
 StepsFor FindSteps(
   const relief::HeightField& field, Stepping stepping, double error, int mostSteps);
+
+/// How much of the way to the sphere, on average, lies below the highest ground: what steps that
+/// ended there would save.
+double ShareBelowTop(const relief::HeightField& field);
 
 }
 

@@ -210,7 +210,8 @@ void CompareIntegrators(const Relief& relief, int repetitions, Table& table)
   RunSweep(*field, Medium(*field, DefaultTolerance), sun, d.data());
   const ErrorOfD error = Compare(probe, exact, Pick(probe, d).data());
   std::cout << "  default tolerance, 20: errors at most " << error.most << ", 99.9 % "
-            << error.mostOf999 << ", rms " << error.rms << "\n";
+            << error.mostOf999 << ", rms " << error.rms << "; " << 100.0 * ShareBelowTop(*field)
+            << " % of the fixed steps' way is below the highest ground\n";
   const int mostSteps = relief.columns > 512 ? 1 << 19 : 1024;
   for (const auto& [stepping, name] : { std::pair(Stepping::Published, StepsPublished),
          std::pair(Stepping::Thickness, StepsThickness),
@@ -337,7 +338,7 @@ int main(int argc, char* argv[])
   const int size = trial > 0 ? trial : 2048;
   const int repetitions = trial > 0 ? 1 : 7;
   const Relief relief = Terrain(size, size, TerrainSpacing * 2048 / size);
-  std::cout << Environment() << "\nTerrain of " << size << "^2 samples, slopes of "
+  std::cout << std::unitbuf << Environment() << "\nTerrain of " << size << "^2 samples, slopes of "
             << std::setprecision(3) << MeanSlope(relief) << " degrees on average; the least of "
             << repetitions << " runs in turn\n";
   Table table;
