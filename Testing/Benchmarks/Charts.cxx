@@ -55,7 +55,7 @@ std::string DecadeLabel(int exponent)
 // Whole decades about all values, with a label each; or the values themselves.
 void SetUpAxis(vtkAxis* axis, const std::string& title, std::vector<double> values, bool eachValue)
 {
-  axis->SetTitle(title);
+  axis->SetTitle(" \n" + title + "\n "); // empty lines, for the reason of DecadeLabel()'s spaces
   axis->GetTitleProperties()->SetFontSize(17 * Scale);
   axis->GetTitleProperties()->BoldOff();
   axis->GetLabelProperties()->SetFontSize(15 * Scale);
