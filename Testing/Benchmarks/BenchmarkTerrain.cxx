@@ -40,6 +40,7 @@ const Tile& ExampleTile()
   {
     vtkNew<vtkTIFFReader> reader;
     reader->SetFileName(RELIEF_EXAMPLES_FOLDER "/Data/jacksboro.tif");
+    reader->SetOrientationType(4); // the southernmost row first
     reader->Update();
     vtkImageData* image = reader->GetOutput();
     Tile read;
