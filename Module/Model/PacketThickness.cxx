@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 
 // After the loop over the targets, which defines for which one this is.
-#include "ThicknessLanes-inl.h"
+#include "PacketTrace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace relief
@@ -20,455 +20,153 @@ namespace relief
 namespace HWY_NAMESPACE
 {
 
-using IntTag = hn::RebindToSigned<Tag>;
-using Ints = hn::Vec<IntTag>;
-
-constexpr int MaxLanes = 32;
-constexpr float Infinity = std::numeric_limits<float>::infinity();
-
-// The rays of neighbouring samples of a row, and what has been found of them.
-struct Packet
+// Copies what differs from sample to sample: own heights, the light as seen from them, normals.
+struct Samples
 {
-  HWY_ALIGN float x[MaxLanes]; // start, in samples from the sample
-  HWY_ALIGN float y[MaxLanes];
-  HWY_ALIGN float base[MaxLanes];
-  HWY_ALIGN float sink[MaxLanes];
-  HWY_ALIGN float dx[MaxLanes];
-  HWY_ALIGN float dy[MaxLanes];
-  HWY_ALIGN float dz[MaxLanes];
-  HWY_ALIGN float from[MaxLanes]; // the stretch that can be inside
-  HWY_ALIGN float to[MaxLanes];
-  HWY_ALIGN float ground[MaxLanes]; // height above base at the start
-  HWY_ALIGN float cellX[MaxLanes];  // the cell ahead, from the sample; whole numbers
-  HWY_ALIGN float cellY[MaxLanes];
-  HWY_ALIGN std::int32_t active[MaxLanes]; // -1 or 0
-  HWY_ALIGN float thickness[MaxLanes];
-  HWY_ALIGN float rest[MaxLanes];
+  HWY_ALIGN float lightX[MaxLanes];
+  HWY_ALIGN float lightY[MaxLanes];
+  HWY_ALIGN float normalX[MaxLanes];
+  HWY_ALIGN float normalY[MaxLanes];
+  HWY_ALIGN float normalZ[MaxLanes];
 };
 
-// reliefLevelLength() for the lanes of a vector; the end may be infinite.
-HWY_INLINE Vector LevelLength(Tag tag, Vector s0, Vector s1, Vector ground, Vector dz)
-{
-  const Vector zero = hn::Zero(tag);
-  const Vector crossing = hn::Div(ground, dz);
-  const Vector up = hn::Sub(hn::Min(s1, crossing), s0);
-  const Vector down = hn::Sub(s1, hn::Max(s0, crossing));
-  const Vector level = hn::IfThenElseZero(hn::Gt(ground, zero), hn::Sub(s1, s0));
-  const Vector slanted = hn::Max(hn::IfThenElse(hn::Gt(dz, zero), up, down), zero);
-  const Vector length = hn::IfThenElse(hn::Eq(dz, zero), level, slanted);
-  return hn::IfThenElseZero(hn::Gt(s1, s0), length);
-}
-
-// Bounds of the blocks that hold the cells [i0, i1] x [j0, j1]; mixed where holes are among them.
-MinMaxPyramid::Bounds BoundsOf(
-  const MinMaxPyramid& pyramid, int level, int i0, int i1, int j0, int j1)
-{
-  const int shift = f32::RELIEF_BLOCK_SHIFT + level;
-  MinMaxPyramid::Bounds found;
-  bool holes = false;
-  for (int j = j0 >> shift; j <= j1 >> shift; ++j)
-  {
-    for (int i = i0 >> shift; i <= i1 >> shift; ++i)
-    {
-      const MinMaxPyramid::Bounds& block = pyramid.At(level, i, j);
-      holes = holes || block.lo > block.hi;
-      found.lo = block.lo < found.lo ? block.lo : found.lo;
-      found.hi = block.hi > found.hi ? block.hi : found.hi;
-      found.twist = block.twist > found.twist ? block.twist : found.twist;
-    }
-  }
-  if (holes)
-  {
-    found.lo = -Infinity;
-    found.hi = Infinity;
-    found.twist = Infinity;
-  }
-  return found;
-}
-
-HWY_INLINE float Least(Tag tag, Mask mask, Vector v)
-{
-  return hn::GetLane(hn::MinOfLanes(tag, hn::IfThenElse(mask, v, hn::Set(tag, Infinity))));
-}
-
-HWY_INLINE float Greatest(Tag tag, Mask mask, Vector v)
-{
-  return hn::GetLane(hn::MaxOfLanes(tag, hn::IfThenElse(mask, v, hn::Set(tag, -Infinity))));
-}
-
-// The heights that rays read: at cells of their own, or, while all rays are in cells side by side
-// as their samples are, by loads of unit stride.
-class HeightLanes
-{
-public:
-  HeightLanes(const HeightView<float>& heights, Tag tag)
-    : Data(heights.data)
-    , PitchX(static_cast<std::int32_t>(heights.stepX))
-    , PitchY(static_cast<std::int32_t>(heights.stepY))
-    , Count(this->PitchY * (heights.rows - 1) + this->PitchX * (heights.columns - 1) + 1)
-    , Lanes(static_cast<std::int32_t>(hn::Lanes(tag)))
-  {
-  }
-
-  // Finds out how to read at these cells. Rays that are not active may be anywhere.
-  HWY_INLINE void SetCells(Tag tag, Ints index, Mask active)
-  {
-    const IntTag intTag;
-    const Ints first = hn::Sub(index, hn::Iota(intTag, 0));
-    this->Start = hn::GetLane(first);
-    this->SideBySide = this->PitchX == 1 && this->Start >= 0 &&
-      this->Start + this->Lanes + this->PitchY < this->Count &&
-      hn::AllTrue(intTag, hn::Eq(first, hn::Set(intTag, this->Start)));
-    this->Index = hn::IfThenElseZero(hn::RebindMask(intTag, active), index);
-    (void)tag;
-  }
-
-  bool AreSideBySide() const { return this->SideBySide; }
-
-  // The corner (x, y) of the cells, 0 or 1.
-  HWY_INLINE Vector Corner(Tag tag, int x, int y) const
-  {
-    const std::int32_t offset = x * this->PitchX + y * this->PitchY;
-    return this->SideBySide ? hn::LoadU(tag, this->Data + this->Start + offset)
-                            : hn::GatherIndex(tag, this->Data + offset, this->Index);
-  }
-
-  // At an offset of each ray's own.
-  HWY_INLINE Vector Gather(Tag tag, Ints offset, Mask active) const
-  {
-    const Ints own = hn::IfThenElseZero(hn::RebindMask(IntTag(), active), offset);
-    return hn::GatherIndex(tag, this->Data, hn::Add(this->Index, own));
-  }
-
-private:
-  const float* Data;
-  std::int32_t PitchX;
-  std::int32_t PitchY;
-  std::int32_t Count;
-  std::int32_t Lanes;
-  std::int32_t Start = 0;
-  Ints Index;
-  bool SideBySide = false;
-};
-
-// Traces the active rays of a packet. Its samples are (i, j), (i + 1, j), ... Rays that have come
-// to their end go on beside the others, without counting, which keeps the packet's cells side by
-// side.
-void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int i, int j,
-  Packet& packet, RayCount& count)
+// Sets up the rays of a packet as reliefRay() and reliefStretch() do. Rays that start outside the
+// image, stay in one cell or never end are rare: they are marked to be traced alone.
+void SetUpRays(const Field<float>& field, const f32::ReliefMedium& medium, const Light& light,
+  int i, int j, const Samples& samples, Packet& packet, std::int32_t* alone)
 {
   const Tag tag;
   const IntTag intTag;
-  const HeightView<float>& heights = field.heights;
   const Vector zero = hn::Zero(tag);
   const Vector one = hn::Set(tag, 1.0f);
-  const Vector infinite = hn::Set(tag, Infinity);
-  const Settler settler(medium);
-  HeightLanes reader(heights, tag);
-
-  const Vector x = hn::Load(tag, packet.x);
-  const Vector y = hn::Load(tag, packet.y);
   const Vector base = hn::Load(tag, packet.base);
-  const Vector sink = hn::Load(tag, packet.sink);
-  const Vector dx = hn::Load(tag, packet.dx);
-  const Vector dy = hn::Load(tag, packet.dy);
-  const Vector dz = hn::Load(tag, packet.dz);
-  const Vector from = hn::Load(tag, packet.from);
-  const Vector to = hn::Load(tag, packet.to);
-  const Mask west = hn::Lt(dx, zero);
-  const Mask south = hn::Lt(dy, zero);
-  const Mask alongY = hn::Eq(dx, zero);
-  const Mask alongX = hn::Eq(dy, zero);
-  const Vector inverseX = hn::Div(one, dx);
-  const Vector inverseY = hn::Div(one, dy);
-  const Vector perCell = hn::Div(one, hn::Max(hn::Abs(dx), hn::Abs(dy)));
-  const Vector bend = hn::Mul(dx, dy);
-  const Vector aheadX = hn::IfThenZeroElse(west, one); // from a cell to the line ahead
-  const Vector aheadY = hn::IfThenZeroElse(south, one);
-  const Vector stepX = hn::IfThenElse(west, hn::Set(tag, -1.0f), one);
-  const Vector stepY = hn::IfThenElse(south, hn::Set(tag, -1.0f), one);
+  const Vector depth = hn::Set(tag, medium.depth);
+  const bool alongNormal = medium.offset == f32::RELIEF_SURFACE_NORMAL;
+  const Vector offsetX = alongNormal ? hn::Mul(depth, hn::Load(tag, samples.normalX)) : zero;
+  const Vector offsetY = alongNormal ? hn::Mul(depth, hn::Load(tag, samples.normalY)) : zero;
+  const Vector sink = alongNormal ? hn::Mul(depth, hn::Load(tag, samples.normalZ)) : depth;
+  const Vector perX = hn::Set(tag, 1.0f / reliefSpacingX(field));
+  const Vector perY = hn::Set(tag, 1.0f / reliefSpacingY(field));
+  const Vector x = hn::Neg(hn::Mul(offsetX, perX));
+  const Vector y = hn::Neg(hn::Mul(offsetY, perY));
 
-  // Sample i + lane stands at lane, as a cell does that begins there.
-  const Vector lane = hn::ConvertTo(tag, hn::Iota(intTag, 0));
-  const Vector lastX = hn::Sub(hn::Set(tag, static_cast<float>(heights.columns - 2 - i)), lane);
-  const Vector firstX = hn::Sub(hn::Set(tag, static_cast<float>(-i)), lane);
-  const Vector lastY = hn::Set(tag, static_cast<float>(heights.rows - 2 - j));
-  const Vector firstY = hn::Set(tag, static_cast<float>(-j));
-  const Ints pitchX = hn::Set(intTag, static_cast<std::int32_t>(heights.stepX));
-  const Ints pitchY = hn::Set(intTag, static_cast<std::int32_t>(heights.stepY));
-  const Ints ownIndex =
-    hn::Add(hn::Set(intTag, static_cast<std::int32_t>(j * heights.stepY + i * heights.stepX)),
-      hn::Mul(hn::Iota(intTag, 0), pitchX));
-  const Mask none = hn::Lt(zero, zero);
-  const Ints zeroInts = hn::Zero(intTag);
-  const auto westInts = hn::RebindMask(intTag, west);
-  const auto southInts = hn::RebindMask(intTag, south);
-  const Ints moveX = hn::IfThenElse(westInts, hn::Sub(zeroInts, pitchX), pitchX);
-  const Ints moveY = hn::IfThenElse(southInts, hn::Sub(zeroInts, pitchY), pitchY);
-  const Ints edgeX = hn::IfThenZeroElse(westInts, pitchX); // from a cell to the edge ahead
-  const Ints edgeY = hn::IfThenZeroElse(southInts, pitchY);
-
-  Vector cellX = hn::Load(tag, packet.cellX);
-  Vector cellY = hn::Load(tag, packet.cellY);
-  auto indexOf = [&]()
+  Vector lx = hn::Load(tag, samples.lightX);
+  Vector ly = hn::Load(tag, samples.lightY);
+  Vector dz = hn::Set(tag, static_cast<float>(light.vector.z));
+  Vector to = hn::Set(tag, Infinity);
+  if (light.positional)
   {
-    return hn::Add(ownIndex,
-      hn::Add(hn::Mul(hn::ConvertTo(intTag, cellY), pitchY),
-        hn::Mul(hn::ConvertTo(intTag, cellX), pitchX)));
-  };
-  Ints index = indexOf();
-  Vector s = zero;
-  Vector ground = hn::Load(tag, packet.ground);
-  Vector thickness = zero;
-  Vector rest = zero;
-  Mask onSurface = hn::Not(none); // whether ground is the surface's height, or one that is held
-  Mask active = hn::MaskFromVec(hn::BitCast(tag, hn::Load(intTag, packet.active)));
-  active = hn::And(active, hn::Lt(s, to));
-
-  const int stepsBetweenLooks = 6;
-  int untilLook = 0;  // steps to the next look for something to skip
-  float reach = 8.0f; // how many cells to look ahead
-  float twist =
-    Infinity; // no patch in the stretch looked at is more twisted; infinite where it has holes
-  while (!hn::AllFalse(tag, active))
-  {
-    if (untilLook == 0)
-    {
-      untilLook = stepsBetweenLooks;
-      twist = Infinity;
-      count.cells += 1;
-      if (medium.tolerance > 0.0f)
-      {
-        const Vector left = hn::Sub(to, hn::Max(s, from));
-        const Mask settled = hn::AndNot(settler.Open(tag, thickness, left), active);
-        rest = hn::IfThenElse(settled, left, rest);
-        active = hn::AndNot(settled, active);
-        if (hn::AllFalse(tag, active))
-        {
-          break;
-        }
-      }
-
-      // As far as all rays get in `reach` cells. Where rays would leave the image they keep to
-      // their steps.
-      const Vector ahead = hn::MulAdd(hn::Set(tag, reach), perCell, s);
-      const Vector x1 = hn::MulAdd(dx, ahead, x);
-      const Vector y1 = hn::MulAdd(dy, ahead, y);
-      const Vector endX = hn::Floor(x1);
-      const Vector endY = hn::Floor(y1);
-      const Mask inside = hn::And(hn::And(hn::Ge(endX, firstX), hn::Le(endX, lastX)),
-        hn::And(hn::Ge(endY, firstY), hn::Le(endY, lastY)));
-      const Mask within = hn::And(hn::And(hn::Ge(cellX, firstX), hn::Le(cellX, lastX)),
-        hn::And(hn::Ge(cellY, firstY), hn::Le(cellY, lastY)));
-      if (hn::AllFalse(tag, hn::AndNot(hn::And(inside, within), active)))
-      {
-        const Vector lowX = hn::Add(hn::Min(cellX, endX), lane);
-        const Vector highX = hn::Add(hn::Max(cellX, endX), lane);
-        const Vector z0 = hn::Sub(hn::MulAdd(s, dz, base), sink);
-        const Vector z1 = hn::Sub(hn::MulAdd(ahead, dz, base), sink);
-        const int i0 = i + static_cast<int>(Least(tag, active, lowX));
-        const int i1 = i + static_cast<int>(Greatest(tag, active, highX));
-        const int j0 = j + static_cast<int>(Least(tag, active, hn::Min(cellY, endY)));
-        const int j1 = j + static_cast<int>(Greatest(tag, active, hn::Max(cellY, endY)));
-        const int size = std::max(i1 - i0, j1 - j0);
-        const int level = std::min(size > 40 ? 3
-            : size > 20                      ? 2
-                                             : 1,
-          field.bounds->GetNumberOfLevels() - 1);
-        const MinMaxPyramid::Bounds bounds = BoundsOf(*field.bounds, level, i0, i1, j0, j1);
-        const bool above = Least(tag, active, hn::Min(z0, z1)) > bounds.hi;
-        const bool below = Greatest(tag, active, hn::Max(z0, z1)) < bounds.lo;
-        if (above || below)
-        {
-          if (below)
-          {
-            const Vector length = hn::Max(hn::Sub(hn::Min(ahead, to), hn::Max(s, from)), zero);
-            thickness = hn::Add(thickness, hn::IfThenElseZero(active, length));
-          }
-          s = ahead;
-          // The cell ahead: on a grid line the one in the ray's direction.
-          const Vector backX = hn::Max(hn::Sub(hn::Ceil(x1), one), firstX);
-          const Vector backY = hn::Max(hn::Sub(hn::Ceil(y1), one), firstY);
-          cellX = hn::IfThenElse(alongY, cellX, hn::IfThenElse(west, backX, endX));
-          cellY = hn::IfThenElse(alongX, cellY, hn::IfThenElse(south, backY, endY));
-          index = indexOf();
-          onSurface = none;
-          active = hn::And(active, hn::Lt(s, to));
-          reach = std::min(2.0f * reach, 64.0f);
-          untilLook = 0;
-          continue;
-        }
-        twist = bounds.twist;
-      }
-      if (reach > 8.0f)
-      {
-        reach *= 0.5f;
-        if (reach > 16.0f)
-        {
-          untilLook = 0;
-          continue;
-        }
-      }
-    }
-    --untilLook;
-    count.cells += hn::CountTrue(tag, active);
-
-    // Where the ray leaves its cell.
-    const Vector exitX =
-      hn::IfThenElse(alongY, infinite, hn::Mul(hn::Sub(hn::Add(cellX, aheadX), x), inverseX));
-    const Vector exitY =
-      hn::IfThenElse(alongX, infinite, hn::Mul(hn::Sub(hn::Add(cellY, aheadY), y), inverseY));
-    const Mask throughX = hn::Le(exitX, exitY);
-    const Vector s1 = hn::Max(hn::IfThenElse(throughX, exitX, exitY), s);
-    const Vector length = hn::Sub(s1, s);
-    const Vector share = hn::IfThenElse(
-      throughX, hn::Sub(hn::MulAdd(dy, s1, y), cellY), hn::Sub(hn::MulAdd(dx, s1, x), cellX));
-    const auto throughXInts = hn::RebindMask(intTag, throughX);
-    const Mask clipped = hn::And(active, hn::Or(hn::Gt(from, s), hn::Lt(to, s1)));
-    const bool whole = twist < Infinity && hn::AllFalse(tag, clipped) &&
-      hn::AllFalse(tag, hn::AndNot(onSurface, active));
-    bool done = false;
-    Vector next = ground;
-    if (whole)
-    {
-      // No holes about: two samples tell the height at the exit, and if no ray is near the surface,
-      // that is all.
-      reader.SetCells(tag, index, active);
-      Vector first;
-      Vector second;
-      if (reader.AreSideBySide())
-      {
-        const Vector h00 = reader.Corner(tag, 0, 0);
-        const Vector h10 = reader.Corner(tag, 1, 0);
-        const Vector h01 = reader.Corner(tag, 0, 1);
-        const Vector h11 = reader.Corner(tag, 1, 1);
-        first =
-          hn::IfThenElse(throughX, hn::IfThenElse(west, h00, h10), hn::IfThenElse(south, h00, h01));
-        second =
-          hn::IfThenElse(throughX, hn::IfThenElse(west, h01, h11), hn::IfThenElse(south, h10, h11));
-      }
-      else
-      {
-        const Ints edge = hn::IfThenElse(throughXInts, edgeX, edgeY);
-        first = reader.Gather(tag, edge, active);
-        second =
-          reader.Gather(tag, hn::Add(edge, hn::IfThenElse(throughXInts, pitchY, pitchX)), active);
-      }
-      first = hn::Sub(first, base);
-      next = hn::MulAdd(hn::Sub(hn::Sub(second, base), first), share, first);
-      const Vector a = hn::Sub(ground, hn::Sub(hn::Mul(s, dz), sink));
-      const Vector b = hn::Sub(next, hn::Sub(hn::Mul(s1, dz), sink));
-      const Vector bow =
-        hn::Mul(hn::Set(tag, 0.25f * twist), hn::Mul(hn::Abs(bend), hn::Mul(length, length)));
-      const Mask in = hn::Gt(hn::Min(a, b), bow);
-      const Mask out = hn::Lt(hn::Add(hn::Max(a, b), bow), zero);
-      if (hn::AllFalse(tag, hn::AndNot(hn::Or(in, out), active)))
-      {
-        thickness = hn::Add(thickness, hn::IfThenElseZero(hn::And(in, active), length));
-        done = true;
-      }
-    }
-    if (!done)
-    {
-      // Rays that have left the image end under level ground.
-      const Mask inImage = hn::And(hn::And(hn::Ge(cellX, firstX), hn::Le(cellX, lastX)),
-        hn::And(hn::Ge(cellY, firstY), hn::Le(cellY, lastY)));
-      const Mask leaving = hn::AndNot(inImage, active);
-      if (!hn::AllFalse(tag, leaving))
-      {
-        const Vector tail = LevelLength(tag, hn::Max(s, from), to, hn::Add(ground, sink), dz);
-        thickness = hn::Add(thickness, hn::IfThenElseZero(leaving, tail));
-        active = hn::AndNot(leaving, active);
-        if (hn::AllFalse(tag, active))
-        {
-          break;
-        }
-      }
-
-      reader.SetCells(tag, index, active);
-      const Vector h00 = hn::Sub(reader.Corner(tag, 0, 0), base);
-      const Vector h10 = hn::Sub(reader.Corner(tag, 1, 0), base);
-      const Vector h01 = hn::Sub(reader.Corner(tag, 0, 1), base);
-      const Vector h11 = hn::Sub(reader.Corner(tag, 1, 1), base);
-      const Vector ownTwist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
-      const Mask hole = hn::IsNaN(ownTwist);
-      const Vector first =
-        hn::IfThenElse(throughX, hn::IfThenElse(west, h00, h10), hn::IfThenElse(south, h00, h01));
-      const Vector second =
-        hn::IfThenElse(throughX, hn::IfThenElse(west, h01, h11), hn::IfThenElse(south, h10, h11));
-
-      // A ray that comes out of a hole or from a skipped stretch meets the patch where it is.
-      if (!hn::AllFalse(tag, hn::AndNot(onSurface, active)))
-      {
-        const Vector u = hn::Min(hn::Max(hn::Sub(hn::MulAdd(dx, s, x), cellX), zero), one);
-        const Vector v = hn::Min(hn::Max(hn::Sub(hn::MulAdd(dy, s, y), cellY), zero), one);
-        const Vector south0 = hn::MulAdd(hn::Sub(h10, h00), u, h00);
-        const Vector north0 = hn::MulAdd(hn::Sub(h11, h01), u, h01);
-        const Vector here = hn::MulAdd(hn::Sub(north0, south0), v, south0);
-        ground = hn::IfThenElse(hn::Or(onSurface, hole), ground, here);
-      }
-      onSurface = hn::Not(hole);
-      next = hn::IfThenElse(hole, ground,
-        hn::MulAdd(hn::Sub(second, first), hn::Min(hn::Max(share, zero), one), first));
-
-      Vector begin = s;
-      Vector end = s1;
-      Vector a = hn::Sub(ground, hn::Sub(hn::Mul(s, dz), sink));
-      Vector b = hn::Sub(next, hn::Sub(hn::Mul(s1, dz), sink));
-      Vector c = hn::IfThenZeroElse(
-        hole, hn::Mul(ownTwist, hn::Mul(hn::Mul(dx, length), hn::Mul(dy, length))));
-      if (!hn::AllFalse(tag, clipped))
-      {
-        // reliefPatchLength(): the quadratic over the part of the cell within [from, to].
-        begin = hn::Min(hn::Max(s, from), s1);
-        end = hn::Max(hn::Min(s1, to), begin);
-        const Vector perLength = hn::IfThenElseZero(hn::Gt(length, zero), hn::Div(one, length));
-        const Vector u0 = hn::Mul(hn::Sub(begin, s), perLength);
-        const Vector u1 = hn::Mul(hn::Sub(end, s), perLength);
-        const Vector rise = hn::Sub(b, a);
-        const Vector a0 = hn::Add(a, hn::Mul(u0, hn::MulAdd(c, hn::Sub(u0, one), rise)));
-        const Vector b0 = hn::Add(a, hn::Mul(u1, hn::MulAdd(c, hn::Sub(u1, one), rise)));
-        const Vector span = hn::Sub(u1, u0);
-        a = hn::IfThenElse(clipped, a0, a);
-        b = hn::IfThenElse(clipped, b0, b);
-        c = hn::IfThenElse(clipped, hn::Mul(c, hn::Mul(span, span)), c);
-      }
-      const Vector part = hn::Mul(hn::Sub(end, begin), InsideShare(tag, a, b, c));
-      thickness = hn::Add(thickness, hn::IfThenElseZero(active, part));
-    }
-
-    ground = next;
-    cellX = hn::IfThenElse(throughX, hn::Add(cellX, stepX), cellX);
-    cellY = hn::IfThenElse(throughX, cellY, hn::Add(cellY, stepY));
-    index = hn::Add(index, hn::IfThenElse(throughXInts, moveX, moveY));
-    s = s1;
-    active = hn::And(active, hn::Lt(s, to));
+    lx = hn::Add(lx, offsetX);
+    ly = hn::Add(ly, offsetY);
+    dz = hn::Add(hn::Sub(dz, base), sink);
+    const Vector scale = hn::Max(hn::Abs(lx), hn::Max(hn::Abs(ly), hn::Abs(dz)));
+    const Vector partX = hn::Div(lx, scale);
+    const Vector partY = hn::Div(ly, scale);
+    const Vector partZ = hn::Div(dz, scale);
+    const Vector size =
+      hn::Sqrt(hn::MulAdd(partX, partX, hn::MulAdd(partY, partY, hn::Mul(partZ, partZ))));
+    const Mask apart = hn::Gt(scale, zero);
+    to = hn::IfThenElseZero(apart, hn::Mul(scale, size));
+    const Vector perSize = hn::Div(one, size);
+    lx = hn::IfThenElseZero(apart, hn::Mul(partX, perSize));
+    ly = hn::IfThenElseZero(apart, hn::Mul(partY, perSize));
+    dz = hn::IfThenElse(apart, hn::Mul(partZ, perSize), one);
   }
-  hn::Store(thickness, tag, packet.thickness);
-  hn::Store(rest, tag, packet.rest);
+  // As the model takes directions along an axis.
+  const Vector tiny = hn::Set(tag, 1.0e-12f);
+  const Vector dx = hn::IfThenZeroElse(hn::Lt(hn::Abs(lx), tiny), hn::Mul(lx, perX));
+  const Vector dy = hn::IfThenZeroElse(hn::Lt(hn::Abs(ly), tiny), hn::Mul(ly, perY));
+  const Mask up = hn::Gt(dz, zero);
+  const Mask down = hn::Lt(dz, zero);
+  const Mask endless = hn::And(down, hn::Eq(to, hn::Set(tag, Infinity)));
+
+  Vector from = zero;
+  if (medium.useFloor)
+  {
+    const Vector above = hn::Add(hn::Sub(hn::Set(tag, medium.floorHeight), base), sink);
+    const Vector crossing = hn::Div(above, dz);
+    from = hn::IfThenElseZero(up, hn::Max(crossing, zero));
+    to = hn::IfThenElse(down, hn::Min(to, crossing), to);
+    const Mask under = hn::And(hn::Eq(dz, zero), hn::Ge(above, zero));
+    to = hn::IfThenElse(under, zero, to);
+  }
+  const Vector top = hn::Add(hn::Sub(hn::Set(tag, field.top), base), sink);
+  to = hn::IfThenElse(up, hn::Min(to, hn::Div(top, dz)), to);
+
+  // The cell ahead, as reliefCellAhead() tells it, from the sample.
+  const Vector lane = hn::ConvertTo(tag, hn::Iota(intTag, 0));
+  const Vector columns = hn::Set(tag, static_cast<float>(field.heights.columns - 1 - i));
+  const Vector rows = hn::Set(tag, static_cast<float>(field.heights.rows - 1 - j));
+  auto ahead = [&](Vector start, Vector direction, Vector cells)
+  {
+    const Vector cell =
+      hn::IfThenElse(hn::Lt(direction, zero), hn::Sub(hn::Ceil(start), one), hn::Floor(start));
+    const Mask lastLine = hn::And(
+      hn::Eq(direction, zero), hn::And(hn::Eq(cell, cells), hn::Eq(start, hn::Floor(start))));
+    return hn::IfThenElse(lastLine, hn::Sub(cell, one), cell);
+  };
+  const Vector columnsAhead = hn::Sub(columns, lane);
+  const Vector cellX = ahead(x, dx, columnsAhead);
+  const Vector cellY = ahead(y, dy, rows);
+  const Vector firstX = hn::Sub(hn::Set(tag, static_cast<float>(-i)), lane);
+  const Mask outside = hn::Or(hn::Or(hn::Lt(cellX, firstX), hn::Ge(cellX, columnsAhead)),
+    hn::Or(hn::Lt(cellY, hn::Set(tag, static_cast<float>(-j))), hn::Ge(cellY, rows)));
+  const Mask upright = hn::And(hn::Eq(dx, zero), hn::Eq(dy, zero));
+  Mask single = hn::Or(outside, upright);
+  single = medium.useFloor ? single : hn::Or(single, endless);
+
+  hn::Store(x, tag, packet.x);
+  hn::Store(y, tag, packet.y);
+  hn::Store(sink, tag, packet.sink);
+  hn::Store(dx, tag, packet.dx);
+  hn::Store(dy, tag, packet.dy);
+  hn::Store(dz, tag, packet.dz);
+  hn::Store(from, tag, packet.from);
+  hn::Store(to, tag, packet.to);
+  hn::Store(cellX, tag, packet.cellX);
+  hn::Store(cellY, tag, packet.cellY);
+  hn::Store(hn::VecFromMask(intTag, hn::RebindMask(intTag, single)), intTag, alone);
 }
 
-// Lets lanes without a ray run beside one that has.
-void FillIdleLanes(Packet& packet, int lanes)
+// reliefStartHeight() of a lane, quickly where its cell is whole.
+HWY_INLINE float StartHeight(const Field<float>& field, int i, int j, const Packet& packet, int k)
 {
-  int model = 0;
-  while (!packet.active[model])
+  const HeightView<float>& heights = field.heights;
+  const int ci = i + static_cast<int>(packet.cellX[k]);
+  const int cj = j + static_cast<int>(packet.cellY[k]);
+  const float base = packet.base[k];
+  const float h00 = heights.At(ci, cj) - base;
+  const float h10 = heights.At(ci + 1, cj) - base;
+  const float h01 = heights.At(ci, cj + 1) - base;
+  const float h11 = heights.At(ci + 1, cj + 1) - base;
+  const float u = packet.x[k] - packet.cellX[k];
+  const float v = packet.y[k] - packet.cellY[k];
+  const float south = h00 + (h10 - h00) * u;
+  const float north = h01 + (h11 - h01) * u;
+  const float height = south + (north - south) * v;
+  if (!std::isnan(height))
   {
-    ++model;
+    return height;
   }
-  for (int k = 0; k < lanes; ++k)
-  {
-    if (packet.active[k])
-    {
-      model = k;
-      continue;
-    }
-    for (float* values : { packet.x, packet.y, packet.base, packet.sink, packet.dx, packet.dy,
-           packet.dz, packet.from, packet.to, packet.ground, packet.cellX, packet.cellY })
-    {
-      values[k] = values[model];
-    }
-  }
+  f32::ReliefRay ray = {};
+  ray.i = i;
+  ray.j = j;
+  ray.x = packet.x[k];
+  ray.y = packet.y[k];
+  ray.base = base;
+  return f32::reliefStartHeight(field, ray);
+}
+
+// d by the reciprocal attenuation at a depth above 0, as reliefTraced() tells it.
+void IlluminateReciprocal(float depth, const Packet& packet, float* d)
+{
+  const Tag tag;
+  const Vector t = hn::Set(tag, depth);
+  const Vector r = hn::Load(tag, packet.thickness);
+  const Vector rest = hn::Load(tag, packet.rest);
+  const Vector high = hn::Div(t, hn::Max(r, t));
+  const Vector low = hn::Div(t, hn::Max(hn::Add(r, rest), t));
+  hn::Store(hn::Mul(hn::Add(high, low), hn::Set(tag, 0.5f)), tag, d);
 }
 
 void TracePackets(const Field<float>& field, const f32::ReliefMedium& medium, const Light& light,
@@ -476,78 +174,107 @@ void TracePackets(const Field<float>& field, const f32::ReliefMedium& medium, co
 {
   const Tag tag;
   const int lanes = static_cast<int>(hn::Lanes(tag));
-  const int columns = field.heights.columns - 1;
-  const int rows = field.heights.rows - 1;
+  const HeightView<float>& heights = field.heights;
   const int j = request.j;
-  f32::ReliefRay rays[MaxLanes];
-  glm::vec3 normals[MaxLanes];
-  glm::vec3 toLight[MaxLanes];
+  const bool alongNormal = medium.offset == f32::RELIEF_SURFACE_NORMAL;
+  const bool simple = medium.attenuation == f32::RELIEF_RECIPROCAL && medium.depth > 0.0f;
+  Packet packet;
+  Samples samples;
+  HWY_ALIGN std::int32_t alone[MaxLanes];
+  HWY_ALIGN float d[MaxLanes];
   for (int begin = request.begin; begin < request.end; begin += lanes)
   {
-    Packet packet = {};
-    int state[MaxLanes] = {}; // 0 not asked for, 1 traced alone, 2 in the packet
-    bool any = false;
     const int size = std::min(lanes, request.end - begin);
+    const int first = begin - request.begin;
+    float anyBase = std::numeric_limits<float>::quiet_NaN();
     for (int k = 0; k < size; ++k)
     {
-      const int i = begin + k;
-      const int at = i - request.begin;
-      if (std::isnan(field.heights.At(i, j)) || (request.wanted && !request.wanted[at]))
+      packet.base[k] = heights.At(begin + k, j);
+      const bool traced =
+        !std::isnan(packet.base[k]) && (!request.wanted || request.wanted[first + k]);
+      packet.active[k] = traced ? -1 : 0;
+      count.rays += traced ? 1 : 0;
+      anyBase = traced ? packet.base[k] : anyBase;
+    }
+    if (std::isnan(anyBase))
+    {
+      continue;
+    }
+    // Lanes without a ray to trace run beside the others.
+    for (int k = 0; k < lanes; ++k)
+    {
+      const bool idle = k >= size || !packet.active[k];
+      packet.base[k] = idle ? anyBase : packet.base[k];
+      packet.active[k] = idle ? 0 : -1;
+      packet.ground[k] = 0.0f;
+      const double shiftX = light.positional ? (begin + k) * heights.spacingX : 0.0;
+      const double shiftY = light.positional ? j * heights.spacingY : 0.0;
+      samples.lightX[k] = static_cast<float>(light.vector.x - shiftX);
+      samples.lightY[k] = static_cast<float>(light.vector.y - shiftY);
+    }
+    for (int k = 0; alongNormal && k < lanes; ++k)
+    {
+      const glm::vec3 n =
+        packet.active[k] ? request.normals[first + k] : glm::vec3(0.0f, 0.0f, 1.0f);
+      samples.normalX[k] = n.x;
+      samples.normalY[k] = n.y;
+      samples.normalZ[k] = n.z;
+    }
+    SetUpRays(field, medium, light, begin, j, samples, packet, alone);
+
+    auto rayOf = [&](int k, glm::vec3& n, glm::vec3& l)
+    {
+      n = alongNormal ? request.normals[first + k] : glm::vec3(0.0f, 0.0f, 1.0f);
+      return f32::reliefRay(field, medium, begin + k, j, n,
+        LightFrom<float>(light, (begin + k) * heights.spacingX, j * heights.spacingY),
+        light.positional, l);
+    };
+    HWY_ALIGN std::int32_t asked[MaxLanes];
+    bool anyTogether = false;
+    for (int k = 0; k < lanes; ++k)
+    {
+      asked[k] = packet.active[k];
+      packet.active[k] = asked[k] && !alone[k] ? -1 : 0;
+      anyTogether = anyTogether || packet.active[k];
+    }
+    for (int k = 0; alongNormal && k < size; ++k)
+    {
+      if (packet.active[k])
       {
-        continue;
-      }
-      ++count.rays;
-      normals[k] = request.normals ? request.normals[at] : glm::vec3(0.0f, 0.0f, 1.0f);
-      f32::ReliefRay& ray = rays[k];
-      ray = f32::reliefRay(field, medium, i, j, normals[k],
-        LightFrom<float>(light, i * field.heights.spacingX, j * field.heights.spacingY),
-        light.positional, toLight[k]);
-      const int ci = f32::reliefCellAhead(ray.x, ray.dx, i, columns);
-      const int cj = f32::reliefCellAhead(ray.y, ray.dy, j, rows);
-      // Rays that start outside, never leave their cell or never end are rare.
-      const bool alone = ci < 0 || ci >= columns || cj < 0 || cj >= rows ||
-        (ray.dx == 0.0f && ray.dy == 0.0f) || f32::reliefEndless(medium, ray);
-      state[k] = alone ? 1 : 2;
-      if (!alone)
-      {
-        any = true;
-        f32::reliefStretch(field, medium, ray, packet.from[k], packet.to[k]);
-        packet.x[k] = ray.x;
-        packet.y[k] = ray.y;
-        packet.base[k] = ray.base;
-        packet.sink[k] = ray.sink;
-        packet.dx[k] = ray.dx;
-        packet.dy[k] = ray.dy;
-        packet.dz[k] = ray.dz;
-        packet.ground[k] = f32::reliefStartHeight(field, ray);
-        packet.cellX[k] = static_cast<float>(ci - i);
-        packet.cellY[k] = static_cast<float>(cj - j);
-        packet.active[k] = -1;
+        packet.ground[k] = StartHeight(field, begin + k, j, packet, k);
       }
     }
-    if (any)
+    if (anyTogether)
     {
-      FillIdleLanes(packet, lanes);
       TraceLanes(field, medium, begin, j, packet, count);
+      if (simple)
+      {
+        IlluminateReciprocal(medium.depth, packet, d);
+      }
     }
     for (int k = 0; k < size; ++k)
     {
-      if (state[k] == 0)
+      if (!asked[k])
       {
         continue;
       }
       f32::ReliefTrace trace = { packet.thickness[k], packet.rest[k], 0 };
-      if (state[k] == 1)
+      if (alone[k] || !simple)
       {
-        trace = f32::reliefTrace(field, medium, rays[k]);
-        count.cells += trace.cells;
+        glm::vec3 n;
+        glm::vec3 l;
+        const f32::ReliefRay ray = rayOf(k, n, l);
+        if (alone[k])
+        {
+          trace = f32::reliefTrace(field, medium, ray);
+          count.cells += static_cast<std::uint64_t>(trace.cells);
+        }
+        d[k] = f32::reliefTraced(field, medium, ray, n, l, trace);
       }
-      const int at = begin + k - request.begin;
-      request.illumination[at] =
-        f32::reliefTraced(field, medium, rays[k], normals[k], toLight[k], trace);
+      request.illumination[first + k] = d[k];
       if (request.thickness)
       {
-        request.thickness[at] = trace.thickness;
+        request.thickness[first + k] = trace.thickness;
       }
     }
   }

@@ -14,6 +14,9 @@
 // Cells along a side of the smallest block that has bounds, as a power of two.
 const int RELIEF_BLOCK_SHIFT = 2;
 
+// Of its length from the start, what a ray must run in a cell for more than touching it.
+const real RELIEF_TOUCH = 1.0e-6f;
+
 // A ray from the sunken point p' to a light. It starts (x, y) samples away from sample (i, j), sink
 // below the height base of that sample, and runs for end units of length.
 struct ReliefRay
@@ -328,6 +331,11 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
     real exitY = ray.dy == 0.0f ? RELIEF_INFINITY : (real(lineY - ray.j) - ray.y) * inverseY;
     bool throughX = exitX <= exitY;
     real s1 = max(throughX ? exitX : exitY, s);
+    // A ray through a grid point only touches the cells beside it, whichever of them rounding takes it
+    // through: they do not end a hole.
+    bool touches = s1 - s <= RELIEF_TOUCH * s1;
+    bool wasOnSurface = onSurface;
+    real groundBefore = ground;
 
     if (level > 0)
     {
@@ -396,6 +404,12 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
           ground = next;
         }
       }
+    }
+
+    if (touches && !wasOnSurface)
+    {
+      ground = groundBefore;
+      onSurface = false;
     }
 
     // Step into the cell ahead.

@@ -357,8 +357,8 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
       }
       else
       {
-        TraceRow<float>(this->Heights, plan.thickness ? this->ExactMedium : this->Medium,
-          plan.light, request, work);
+        TracePackets(this->Heights, plan.thickness ? this->ExactMedium : this->Medium, plan.light,
+          request, work);
       }
     }
   }

@@ -89,13 +89,17 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
 
         // Across a hole the ground stays where it was. Out of a hole it jumps to the surface.
         const Mask hole = hn::IsNaN(twist);
+        const Mask held = hn::Ne(ground, surface);
         const Vector from = hn::IfThenElse(hole, ground, surface);
+        const Vector entered = ground;
         ground = hn::IfThenElse(hole, ground, next);
+        const Vector kept = cell.touches ? hn::IfThenElse(held, entered, ground) : ground;
         surface = next;
         const Vector a = hn::Sub(hn::Sub(from, base), rise);
         rise = hn::Set(tag, cell.rise);
         const Vector b = hn::Sub(hn::Sub(ground, base), rise);
         const Vector c = hn::IfThenZeroElse(hole, hn::Mul(twist, hn::Set(tag, cell.bend)));
+        ground = kept;
 
         const Vector length = hn::Set(tag, cell.length);
         const Mask aInside = hn::Gt(a, zero);
@@ -510,6 +514,7 @@ SweepThickness::SweepThickness(
     const double place = throughX ? dy * next - y : dx * next - x;
     cell.weight = static_cast<float>(std::min(std::max(place, 0.0), 1.0));
     cell.length = static_cast<float>(next - s);
+    cell.touches = next - s <= f64::RELIEF_TOUCH * next;
     cell.rise = static_cast<float>(next * dz - medium.depth);
     cell.bend = static_cast<float>(dx * (next - s) * dy * (next - s));
     if (this->Prepared.cells.size() % GroupSize == 0)

@@ -55,6 +55,7 @@ public:
     float weight; // of the second sample at the exit
     float length; // of the ray in the cell
     float rise;   // of the ray at the exit above its sample
+    bool touches; // only a corner, and so does not end a hole
     float bend;   // what the patch's twist is multiplied by to give the quadratic's curvature
   };
 

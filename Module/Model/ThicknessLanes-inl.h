@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace relief
@@ -77,14 +78,17 @@ public:
     const Vector twice = hn::Set(tag, this->Twice);
     if (this->Exponential)
     {
-      // The slope of d is at most a.
+      // The slope of d is at most a. Of an endless rest, which lets nothing through, it says
+      // nothing.
+      const Mask endless = hn::Eq(rest, hn::Set(tag, std::numeric_limits<float>::infinity()));
       return hn::And(hn::Lt(thickness, hn::Set(tag, this->Dark)),
-        hn::Gt(hn::Mul(rest, hn::Set(tag, this->Density)), twice));
+        hn::Or(endless, hn::Gt(hn::Mul(rest, hn::Set(tag, this->Density)), twice)));
     }
-    // t / r - t / (r + rest) > 2 epsilon, without the divisions.
+    // t / r - t / (r + rest) = t / (r (r / rest + 1)) > 2 epsilon, also where the rest is infinite.
     const Vector depth = hn::Set(tag, this->Depth);
     const Vector r = hn::Max(thickness, depth);
-    return hn::Gt(hn::Mul(depth, rest), hn::Mul(hn::Mul(twice, r), hn::Add(r, rest)));
+    const Vector one = hn::Set(tag, 1.0f);
+    return hn::Gt(depth, hn::Mul(hn::Mul(twice, r), hn::Add(hn::Div(r, rest), one)));
   }
 
 private:

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lockstep against the double reference, ray by ray, on every instruction set that this machine
 // has.
+#include "PreparedTerrain.h"
 #include "RandomScene.h"
 
 #include "SweepThickness.h"
-
-#include <hwy/targets.h>
 
 #include <gtest/gtest.h>
 
@@ -18,26 +17,8 @@ using namespace relief;
 
 namespace
 {
-void RunSerial(int count, const std::function<void(int, int)>& body)
-{
-  body(0, count);
-}
-
-// A padded field of a terrain's heights.
-void Prepare(const Terrain& terrain, HeightField& field)
-{
-  HeightSource<double> source;
-  source.data = terrain.heights.data();
-  source.stepY = terrain.columns;
-  source.columns = terrain.columns;
-  source.rows = terrain.rows;
-  source.spacingX = terrain.spacingX;
-  source.spacingY = terrain.spacingY;
-  ASSERT_EQ(field.Assign(source, RunSerial, true), "");
-}
-
 // d (and r) of all samples, tile by tile.
-std::vector<float> Sweep(const HeightField& field, const f64::ReliefMedium& medium,
+std::vector<float> SweepAll(const HeightField& field, const f64::ReliefMedium& medium,
   const Light& light, std::vector<float>* thickness = nullptr, RayCount* work = nullptr)
 {
   const HeightView<float>& heights = field.GetField().heights;
@@ -77,25 +58,9 @@ std::vector<float> Sweep(const HeightField& field, const f64::ReliefMedium& medi
   return result;
 }
 
-std::vector<double> Reference(
-  const HeightField& field, f64::ReliefMedium medium, const Light& light)
+class Sweep : public EveryTarget
 {
-  // Without bounds, without tolerance, in double.
-  Field<float> plain = field.GetField();
-  plain.bounds = nullptr;
-  medium.tolerance = 0.0;
-  std::vector<double> result(static_cast<std::size_t>(plain.heights.columns) * plain.heights.rows);
-  RayCount count;
-  for (int j = 0; j < plain.heights.rows; ++j)
-  {
-    RowRequest<double> request;
-    request.j = j;
-    request.end = plain.heights.columns;
-    request.illumination = result.data() + static_cast<std::size_t>(j) * plain.heights.columns;
-    TraceRow<double>(plain, medium, light, request, count);
-  }
-  return result;
-}
+};
 
 // A scene that is swept.
 RandomScene MakeSweptScene(Random& random)
@@ -111,16 +76,9 @@ RandomScene MakeSweptScene(Random& random)
     }
   }
 }
-
-class EveryTarget : public testing::TestWithParam<std::int64_t>
-{
-protected:
-  void SetUp() override { hwy::SetSupportedTargetsForTest(GetParam()); }
-  void TearDown() override { hwy::SetSupportedTargetsForTest(0); }
-};
 }
 
-TEST_P(EveryTarget, AgreesWithTheReference)
+TEST_P(Sweep, AgreesWithTheReference)
 {
   const std::uint64_t seed = Seed();
   SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << SweepThickness::GetTargetName());
@@ -135,7 +93,7 @@ TEST_P(EveryTarget, AgreesWithTheReference)
     HeightField field;
     Prepare(scene.terrain, field);
     f64::ReliefMedium medium = scene.medium;
-    const std::vector<float> swept = Sweep(field, medium, scene.light);
+    const std::vector<float> swept = SweepAll(field, medium, scene.light);
     const std::vector<double> expected = Reference(field, medium, scene.light);
     for (std::size_t at = 0; at < swept.size(); ++at)
     {
@@ -155,7 +113,7 @@ TEST_P(EveryTarget, AgreesWithTheReference)
   EXPECT_LE(beyond, samples / 1000);
 }
 
-TEST_P(EveryTarget, KeepsTheTolerance)
+TEST_P(Sweep, KeepsTheTolerance)
 {
   const std::uint64_t seed = Seed() + 1;
   SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << SweepThickness::GetTargetName());
@@ -166,11 +124,11 @@ TEST_P(EveryTarget, KeepsTheTolerance)
     SCOPED_TRACE(testing::Message() << "scene " << round << ": " << scene);
     HeightField field;
     Prepare(scene.terrain, field);
-    const std::vector<float> exact = Sweep(field, scene.medium, scene.light);
+    const std::vector<float> exact = SweepAll(field, scene.medium, scene.light);
     for (double tolerance : { 0.1, 0.02, 0.002 })
     {
       scene.medium.tolerance = tolerance;
-      const std::vector<float> swept = Sweep(field, scene.medium, scene.light);
+      const std::vector<float> swept = SweepAll(field, scene.medium, scene.light);
       for (std::size_t at = 0; at < swept.size(); ++at)
       {
         if (!std::isnan(scene.terrain.heights[at]))
@@ -183,7 +141,7 @@ TEST_P(EveryTarget, KeepsTheTolerance)
 }
 
 // No special directions: every whole degree, with holes, on every border.
-TEST_P(EveryTarget, EveryAzimuth)
+TEST_P(Sweep, EveryAzimuth)
 {
   Random random(99);
   Terrain terrain(75, 41, 1.0, 1.25);
@@ -215,7 +173,7 @@ TEST_P(EveryTarget, EveryAzimuth)
         EXPECT_EQ(altitude, 90.0);
         continue;
       }
-      const std::vector<float> swept = Sweep(field, medium, sun);
+      const std::vector<float> swept = SweepAll(field, medium, sun);
       const std::vector<double> expected = Reference(field, medium, sun);
       for (std::size_t at = 0; at < swept.size(); ++at)
       {
@@ -229,9 +187,7 @@ TEST_P(EveryTarget, EveryAzimuth)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(SweepThickness, EveryTarget,
-  testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-  [](const testing::TestParamInfo<std::int64_t>& info) { return hwy::TargetName(info.param); });
+INSTANTIATE_FOR_EVERY_TARGET(Sweep);
 
 TEST(SweepThickness, DepthZeroIsTheLimit)
 {
@@ -242,7 +198,7 @@ TEST(SweepThickness, DepthZeroIsTheLimit)
     scene.medium.depth = 0.0;
     HeightField field;
     Prepare(scene.terrain, field);
-    const std::vector<float> swept = Sweep(field, scene.medium, scene.light);
+    const std::vector<float> swept = SweepAll(field, scene.medium, scene.light);
     std::vector<float> row(scene.terrain.columns);
     RayCount count;
     for (int j = 0; j < scene.terrain.rows; ++j)
@@ -285,7 +241,7 @@ TEST(SweepThickness, ToleranceSavesWork)
   {
     medium.tolerance = tolerance;
     RayCount work;
-    Sweep(field, medium, Sun(300.0, 5.0), nullptr, &work);
+    SweepAll(field, medium, Sun(300.0, 5.0), nullptr, &work);
     EXPECT_EQ(work.rays, terrain.heights.size());
     EXPECT_LT(work.cells, before);
     before = work.cells;

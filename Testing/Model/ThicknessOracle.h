@@ -185,6 +185,7 @@ inline Real Thickness(
   cuts.push_back(ray.length);
 
   Real held = ClampedHeight(terrain, ray.x, ray.y, ray.fallback) + nudge.raise;
+  bool holding = false;
   Real inside = 0;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
   {
@@ -218,10 +219,13 @@ inline Real Thickness(
         ? held
         : Patch(terrain, i, j, ray.x + s * ray.stepX, ray.y + s * ray.stepY) + nudge.raise;
     };
-    if (!level)
+    // A cell of which the ray only touches a corner does not end a hole.
+    const bool touches = s1 - s0 <= Real(1e-6) * s1;
+    if (!level && !(touches && holding))
     {
       held = height(s1);
     }
+    holding = level || (touches && holding);
 
     // Above the floor, then below the surface.
     Real from = s0;
