@@ -10,12 +10,11 @@
 namespace relief
 {
 
-static_assert(MinMaxPyramid::BlockSize == 1 << f32::RELIEF_BLOCK_SHIFT);
+static_assert(MinMaxPyramid::BlockShift == f32::RELIEF_BLOCK_SHIFT);
 
 namespace
 {
 constexpr float Infinity = std::numeric_limits<float>::infinity();
-constexpr MinMaxPyramid::Bounds Mixed{ -Infinity, Infinity, Infinity };
 
 bool IsEmpty(const MinMaxPyramid::Bounds& b)
 {
@@ -78,7 +77,7 @@ MinMaxPyramid::Bounds HoleBounds(const HeightView<float>& heights, int i0, int i
       anyCell = anyCell || !hole;
     }
   }
-  return !anyHole ? found : anyCell ? Mixed : MinMaxPyramid::Bounds();
+  return !anyHole ? found : anyCell ? MinMaxPyramid::GetMixed() : MinMaxPyramid::Bounds();
 }
 }
 
@@ -186,7 +185,7 @@ void MinMaxPyramid::BuildUpper()
         }
         if (mixed || (empty > 0 && empty < children))
         {
-          bounds = Mixed;
+          bounds = GetMixed();
         }
         level.blocks[static_cast<std::size_t>(j) * level.columns + i] = bounds;
       }

@@ -29,7 +29,8 @@ public:
     float twist = 0.0f; ///< largest |h11 - h10 - h01 + h00| of its whole cells
   };
 
-  static constexpr int BlockSize = 4;
+  static constexpr int BlockShift = 2;
+  static constexpr int BlockSize = 1 << BlockShift;
 
   /// Makes room for a field of this many samples; its bounds are unset.
   void Allocate(int columns, int rows);
@@ -48,6 +49,34 @@ public:
   {
     const Level& l = this->Levels[level];
     return l.blocks[static_cast<std::size_t>(j) * l.columns + i];
+  }
+
+  /// Bounds of all the blocks that hold the cells [i0, i1] x [j0, j1], by the same rules:
+  /// (-infinity, infinity) where any cell is a hole.
+  Bounds Over(int level, int i0, int i1, int j0, int j1) const
+  {
+    const int shift = BlockShift + level;
+    Bounds found;
+    bool holes = false;
+    for (int j = j0 >> shift; j <= j1 >> shift; ++j)
+    {
+      for (int i = i0 >> shift; i <= i1 >> shift; ++i)
+      {
+        const Bounds& block = this->At(level, i, j);
+        holes = holes || block.lo > block.hi;
+        found.lo = block.lo < found.lo ? block.lo : found.lo;
+        found.hi = block.hi > found.hi ? block.hi : found.hi;
+        found.twist = block.twist > found.twist ? block.twist : found.twist;
+      }
+    }
+    return holes ? GetMixed() : found;
+  }
+
+  /// Bounds of cells of which some are holes.
+  static Bounds GetMixed()
+  {
+    const float infinity = std::numeric_limits<float>::infinity();
+    return { -infinity, infinity, infinity };
   }
 
 private:

@@ -59,33 +59,6 @@ HWY_INLINE Vector LevelLength(Tag tag, Vector s0, Vector s1, Vector ground, Vect
   return hn::IfThenElseZero(hn::Gt(s1, s0), length);
 }
 
-// Bounds of the blocks that hold the cells [i0, i1] x [j0, j1]; mixed where holes are among them.
-MinMaxPyramid::Bounds BoundsOf(
-  const MinMaxPyramid& pyramid, int level, int i0, int i1, int j0, int j1)
-{
-  const int shift = f32::RELIEF_BLOCK_SHIFT + level;
-  MinMaxPyramid::Bounds found;
-  bool holes = false;
-  for (int j = j0 >> shift; j <= j1 >> shift; ++j)
-  {
-    for (int i = i0 >> shift; i <= i1 >> shift; ++i)
-    {
-      const MinMaxPyramid::Bounds& block = pyramid.At(level, i, j);
-      holes = holes || block.lo > block.hi;
-      found.lo = block.lo < found.lo ? block.lo : found.lo;
-      found.hi = block.hi > found.hi ? block.hi : found.hi;
-      found.twist = block.twist > found.twist ? block.twist : found.twist;
-    }
-  }
-  if (holes)
-  {
-    found.lo = -Infinity;
-    found.hi = Infinity;
-    found.twist = Infinity;
-  }
-  return found;
-}
-
 HWY_INLINE float Least(Tag tag, Mask mask, Vector v)
 {
   return hn::GetLane(hn::MinOfLanes(tag, hn::IfThenElse(mask, v, hn::Set(tag, Infinity))));
@@ -291,7 +264,7 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
             : size > 20                      ? 2
                                              : 1,
           field.bounds->GetNumberOfLevels() - 1);
-        const MinMaxPyramid::Bounds bounds = BoundsOf(*field.bounds, level, i0, i1, j0, j1);
+        const MinMaxPyramid::Bounds bounds = field.bounds->Over(level, i0, i1, j0, j1);
         const bool over = Least(tag, active, hn::Min(z0, z1)) > bounds.hi;
         const bool under = Greatest(tag, active, hn::Max(z0, z1)) < bounds.lo;
         if (over || under)

@@ -235,29 +235,8 @@ HWY_INLINE int GroupBounds(const SweepThickness::Plan& plan, const SweepThicknes
     return 0;
   }
   level = std::min(level, bounds.GetNumberOfLevels() - 1);
-  const int shift = f32::RELIEF_BLOCK_SHIFT + level;
-  const int b0 = std::max(i0, 0) >> shift;
-  const int b1 = std::min(i1, lastX) >> shift;
-  const int c0 = std::max(j0, 0) >> shift;
-  const int c1 = std::min(j1, lastY) >> shift;
-  found = MinMaxPyramid::Bounds();
-  bool holes = false;
-  for (int c = c0; c <= c1; ++c)
-  {
-    for (int b = b0; b <= b1; ++b)
-    {
-      const MinMaxPyramid::Bounds& block = bounds.At(level, b, c);
-      holes = holes || block.lo > block.hi;
-      found.lo = block.lo < found.lo ? block.lo : found.lo;
-      found.hi = block.hi > found.hi ? block.hi : found.hi;
-      found.twist = block.twist > found.twist ? block.twist : found.twist;
-    }
-  }
-  if (holes)
-  {
-    found.lo = -std::numeric_limits<float>::infinity();
-    found.hi = std::numeric_limits<float>::infinity();
-  }
+  found =
+    bounds.Over(level, std::max(i0, 0), std::min(i1, lastX), std::max(j0, 0), std::min(j1, lastY));
   return i0 >= 0 && i1 <= lastX && j0 >= 0 && j1 <= lastY ? 2 : 1;
 }
 
