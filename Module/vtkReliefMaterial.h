@@ -147,7 +147,8 @@ public:
   /**
    * The direction in which the shading point is sunk by t: straight down (section 4.3.1), or
    * against the surface normal (section 3.2.1.1), with which a plane's illumination is exactly the
-   * cosine of the light's angle. Default: Vertical.
+   * cosine of the light's angle. Vertical is quicker; slopes that face a high light reach full
+   * brightness with it and then look flat. Default: Vertical.
    */
   void SetOffsetMode(int mode);
   vtkGetMacro(OffsetMode, int);

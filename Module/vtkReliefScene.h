@@ -93,8 +93,9 @@ public:
   ///@{
   /**
    * How far the illumination d of the Exact integrator may be from the exact sum, at every sample.
-   * No unit, at least 0; 0 asks for all that single precision gives. Default: 0.002, less than half
-   * a step of 8-bit output.
+   * The error shows multiplied by the light's intensity: lower the tolerance for very bright
+   * lights. No unit, at least 0; 0 asks for all that single precision gives. Default: 0.002, less
+   * than half a step of 8-bit output.
    */
   void SetTolerance(double value);
   vtkGetMacro(Tolerance, double);
