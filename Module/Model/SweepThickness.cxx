@@ -126,7 +126,7 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
 
 // The same where all the cells are in the image and none is a hole, whose patches have twists of at
 // most `twist`: where both ends are further from zero than the bow can be deep, the ray is all in
-// or all out.
+// or all out. What a hole before them held ends here, so they start at the surface.
 void WalkWholeCells(
   const SweepThickness::Plan& plan, const SweepThickness::Group& group, float twist, Tile& tile)
 {
@@ -163,7 +163,7 @@ void WalkWholeCells(
       const Vector base = hn::Load(tag, tile.base + at);
       Vector thickness = hn::Load(tag, tile.thickness + at);
       Vector a =
-        hn::Sub(hn::Sub(hn::Load(tag, tile.ground + at), base), hn::Set(tag, group.riseIn));
+        hn::Sub(hn::Sub(hn::Load(tag, tile.surface + at), base), hn::Set(tag, group.riseIn));
       Vector next = base;
       for (int k = 0; k < count; ++k)
       {
