@@ -542,9 +542,9 @@ RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, Reli
   {
     bool last = piece == 2;
     real s1 = piece == 0 ? first : second;
-    if (!last && !(s1 > s))
+    if (!last && !(s1 - s > RELIEF_TOUCH * s1))
     {
-      continue;
+      continue; // not there, or only touched
     }
     // A point inside the piece says over which of the four planes it runs.
     real middle = last ? s + 1.0f : (s + s1) / 2.0f;
