@@ -39,12 +39,6 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
   const Vector discriminant = hn::Sub(square, hn::Mul(hn::Set(tag, 4.0f), hn::Mul(a, c)));
   const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
 
-  // Same side at both ends: the stretch between two crossings, if there are any.
-  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Abs(hn::Sub(b, a))),
-    hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
-  const Vector between = hn::IfThenElseZero(turns, hn::Min(hn::Div(root, hn::Abs(c)), one));
-  const Vector same = hn::IfThenElse(aInside, hn::Sub(one, between), between);
-
   // One crossing, seen from the positive side.
   const Vector q = hn::IfThenElse(aInside, slope, hn::Neg(slope));
   const Vector sa = hn::Abs(a);
@@ -52,10 +46,19 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
   const Mask falls = hn::Lt(q, zero);
   const Vector numerator = hn::IfThenElse(falls, hn::Add(sa, sa), hn::Neg(hn::Add(q, root)));
   const Vector denominator = hn::IfThenElse(falls, hn::Sub(root, q), hn::Add(sc, sc));
-  const Vector u = hn::Min(hn::Max(hn::Div(numerator, denominator), zero), one);
-  const Vector once = hn::IfThenElse(aInside, u, hn::Sub(one, u));
 
-  return hn::IfThenElse(hn::Xor(aInside, bInside), once, same);
+  // Same side at both ends: the stretch between two crossings, if there are any. One division
+  // serves both.
+  const Mask differ = hn::Xor(aInside, bInside);
+  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Abs(hn::Sub(b, a))),
+    hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
+  const Vector ratio = hn::Div(
+    hn::IfThenElse(differ, numerator, root), hn::IfThenElse(differ, denominator, hn::Abs(c)));
+  const Vector share =
+    hn::IfThenElseZero(hn::Or(differ, turns), hn::Min(hn::Max(ratio, zero), one));
+
+  // From the inside that is the share up to the crossing, or outside between the two.
+  return hn::IfThenElse(hn::Xor(aInside, differ), hn::Sub(one, share), share);
 }
 
 // Tells which rays' d may still change by more than the tolerance.
