@@ -346,6 +346,46 @@ TEST(SceneShading, FixedStep)
   }
 }
 
+// Beyond a hole of any width the surface goes on as it is, not as it was held, and not where a
+// shadow ended before.
+TEST(SceneShading, HolesOfAnyWidth)
+{
+  for (int width = 1; width <= 24; ++width)
+  {
+    for (double before : { 0.0, 4.0 })
+    {
+      // Ground, a hole across, a plateau.
+      Terrain terrain(34, 45);
+      terrain.Fill(
+        [=](double, double y) {
+          return y < 10.0 ? before : y < 10.0 + width ? NoData : y < 38.0 ? 3.0 : 0.0;
+        });
+      terrain.At(3, 11) = 1.0;
+      Prepared prepared(terrain);
+      Samples<double> samples(terrain);
+      Scene scene = Plain();
+      for (double azimuth : { 0.0, 3.0, 40.0, 180.0 })
+      {
+        for (double altitude : { 1.0, 4.0, 12.0 })
+        {
+          SCOPED_TRACE(::testing::Message() << width << ' ' << before << ' ' << azimuth);
+          scene.lights[0] = Sun(azimuth, altitude);
+          Picture picture = Shade(prepared.Field, scene, AllLayers);
+          Traced<double> traced =
+            Trace<double>(samples.WithoutBounds(), scene.medium, scene.lights[0]);
+          for (std::size_t k = 0; k < traced.d.size(); ++k)
+          {
+            if (!std::isnan(traced.d[k]))
+            {
+              ASSERT_NEAR(picture.illumination[k], traced.d[k], 1e-5) << k % 34 << ' ' << k / 34;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 // A tolerance bounds the error of d in the picture, too.
 TEST(SceneShading, Tolerance)
 {
