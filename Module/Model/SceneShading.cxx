@@ -408,7 +408,7 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
       });
   }
 
-  const bool everyD = this->NeedsEveryD(plan);
+  const bool everyD = this->NeedsEveryD(plan) || !hasScatter;
   bool anyWanted = false;
   tile.ForEach(
     [&](int, int, int at)
