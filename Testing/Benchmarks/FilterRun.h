@@ -12,6 +12,7 @@
 #include <vtkReliefScene.h>
 #include <vtkSMPTools.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ class FilterRun
 public:
   FilterRun(const Relief& relief, const std::vector<std::pair<double, double>>& suns)
   {
+    ThreadedBackend(); // is asked for before the first change
     this->Image->SetDimensions(relief.columns, relief.rows, 1);
     this->Image->SetSpacing(relief.spacing, relief.spacing, 1.0);
     vtkNew<vtkFloatArray> heights;
@@ -50,11 +52,22 @@ public:
     }
   }
 
+  /// How VTK runs several threads: as it is configured to.
+  static const std::string& ThreadedBackend()
+  {
+    static const std::string backend = []
+    {
+      const std::string preset = vtkSMPTools::GetBackend();
+      return preset == "Sequential" ? std::string("STDThread") : preset;
+    }();
+    return backend;
+  }
+
   /// Computes everything anew.
   void Run(int threads)
   {
     // The sequential backend stays on this thread, whose time then is all the time.
-    vtkSMPTools::SetBackend(threads > 1 ? "STDThread" : "Sequential");
+    vtkSMPTools::SetBackend(threads > 1 ? ThreadedBackend().c_str() : "Sequential");
     vtkSMPTools::Initialize(threads);
     this->Image->Modified();
     this->Shading->Update();

@@ -249,7 +249,7 @@ void CompareThreads(const Relief& relief, int repetitions, Table& table)
   rivals.Race(repetitions);
   for (const char* name : { "whole filter, 1 sun", "whole filter, 8 suns" })
   {
-    table.Add(std::string("2 threads against 1, wall clock, ") + name,
+    table.Add("2 threads (" + FilterRun::ThreadedBackend() + ") against 1, wall clock, " + name,
       rivals[std::string(name) + ", 1 thread"] / rivals[std::string(name) + ", 2 threads"], "x",
       1.8, true);
   }
