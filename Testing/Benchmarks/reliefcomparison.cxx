@@ -40,7 +40,7 @@ public:
   void Add(const std::string& name, double measured, const char* unit, double goal, bool atLeast)
   {
     std::ostringstream value;
-    value << std::setprecision(measured < 10.0 ? 2 : 3) << measured << unit;
+    value << std::setprecision(3) << measured << unit;
     std::ostringstream aim;
     if (goal > 0.0)
     {
