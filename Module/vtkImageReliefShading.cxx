@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkReliefConversion.h"
+#include "vtkReliefHeights.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefStatistics.h"
@@ -25,7 +26,6 @@
 #include <cmath>
 #include <new>
 #include <sstream>
-#include <tuple>
 
 vtkStandardNewMacro(vtkImageReliefShading);
 
@@ -37,12 +37,6 @@ static_assert(static_cast<int>(vtkReliefStatistics::ForwardScatter) == relief::S
 namespace
 {
 
-void ForRows(int count, const std::function<void(int, int)>& body)
-{
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
-}
-
 // Whether lights may be swept in lockstep, for which the heights are copied with a margin. In a
 // narrow image the margin would outweigh the samples, and little would be won.
 bool IsSwept(vtkReliefScene* scene, int columns)
@@ -50,16 +44,6 @@ bool IsSwept(vtkReliefScene* scene, int columns)
   return columns >= 64 && scene->GetIntegrator() == vtkReliefScene::Exact &&
     scene->GetMaterial()->GetOffsetMode() == vtkReliefMaterial::Vertical &&
     !scene->GetMaterial()->GetUseFloor();
-}
-
-template <class T>
-std::function<bool(int, int)> ReadMask(const T* mask, int columns)
-{
-  return [mask, columns](int i, int j)
-  {
-    T value = mask[static_cast<std::ptrdiff_t>(j) * columns + i];
-    return value == value && value != 0;
-  };
 }
 
 float* AddLayer(vtkImageData* image, bool wanted, const char* name, int components)
@@ -84,13 +68,9 @@ public:
   vtkSmartPointer<vtkReliefScene> Scene = vtkSmartPointer<vtkReliefScene>::New();
   vtkNew<vtkReliefStatistics> Statistics;
 
-  // Kept between updates, and what the field was made from: modification times are never given
-  // twice.
-  std::unique_ptr<relief::HeightField> Field;
+  // Kept between updates.
+  vtkReliefHeights Heights;
   relief::IlluminationCache Cache;
-  std::tuple<vtkMTimeType, vtkMTimeType, void*, void*, double, bool, double, bool> MadeFrom;
-  vtkSmartPointer<vtkDataArray> Heights; // that the field uses in place
-  vtkReliefImageFrame Frame;
 };
 
 //------------------------------------------------------------------------------
@@ -173,8 +153,7 @@ void vtkImageReliefShading::SetMaximumCachedLights(int lights)
 //------------------------------------------------------------------------------
 void vtkImageReliefShading::ReleaseCache()
 {
-  this->Internal->Field.reset();
-  this->Internal->Heights = nullptr;
+  this->Internal->Heights.Release();
   this->Internal->Cache.Keep({});
 }
 
@@ -227,72 +206,6 @@ int vtkImageReliefShading::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-// Makes the field of an input, unless the one at hand still holds. Returns an empty text, or what
-// is wrong.
-std::string vtkImageReliefShading::PrepareHeights(
-  vtkImageData* input, vtkDataArray* scalars, vtkImageData* mask, vtkDataArray* maskScalars)
-{
-  Internals& internal = *this->Internal;
-  vtkReliefScene* scene = internal.Scene;
-  const int* extent = input->GetExtent();
-  const int columns = extent[1] - extent[0] + 1;
-  const bool swept = IsSwept(scene, columns);
-  const auto madeFrom = std::make_tuple(std::max(input->GetMTime(), scalars->GetMTime()),
-    mask ? std::max(mask->GetMTime(), maskScalars->GetMTime()) : 0, static_cast<void*>(scalars),
-    static_cast<void*>(maskScalars), scene->GetHeightScale(), this->UseNoDataValue,
-    // NaN is no data in any case, and would never compare equal.
-    std::isnan(this->NoDataValue) ? 0.0 : this->NoDataValue, swept);
-  if (internal.Field && internal.MadeFrom == madeFrom)
-  {
-    return std::string();
-  }
-
-  internal.Field = std::make_unique<relief::HeightField>();
-  std::string wrong;
-  try
-  {
-    std::function<bool(int, int)> hasData;
-    if (mask)
-    {
-      switch (maskScalars->GetDataType())
-      {
-        vtkTemplateMacro(
-          hasData = ReadMask(static_cast<const VTK_TT*>(maskScalars->GetVoidPointer(0)), columns));
-      }
-    }
-    switch (scalars->GetDataType())
-    {
-      vtkTemplateMacro({
-        relief::HeightSource<VTK_TT> source;
-        source.data = static_cast<const VTK_TT*>(scalars->GetVoidPointer(0));
-        source.stepY = columns;
-        source.columns = columns;
-        source.rows = extent[3] - extent[2] + 1;
-        source.spacingX = internal.Frame.Spacing[0];
-        source.spacingY = internal.Frame.Spacing[1];
-        source.scale = scene->GetHeightScale();
-        source.hasNoData = this->UseNoDataValue && !std::isnan(this->NoDataValue);
-        source.noData = this->NoDataValue;
-        source.hasData = hasData;
-        wrong = internal.Field->Assign(source, ForRows, swept);
-      });
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    wrong = "there is not enough memory for the prepared heights";
-  }
-  if (!wrong.empty())
-  {
-    internal.Field.reset();
-    return wrong;
-  }
-  internal.MadeFrom = madeFrom;
-  internal.Heights = internal.Field->IsInPlace() ? scalars : nullptr;
-  return std::string();
-}
-
-//------------------------------------------------------------------------------
 int vtkImageReliefShading::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -312,41 +225,25 @@ int vtkImageReliefShading::RequestData(
     return 1;
   };
 
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs);
-  std::string wrong = vtkReliefCheckInput(input, scalars, "height");
-  vtkDataArray* maskScalars = mask ? this->GetInputArrayToProcess(1, inputs) : nullptr;
-  if (wrong.empty() && mask)
-  {
-    wrong = vtkReliefCheckInput(mask, maskScalars, "mask");
-    if (wrong.empty() && !std::equal(input->GetExtent(), input->GetExtent() + 6, mask->GetExtent()))
-    {
-      std::ostringstream message;
-      message << "the mask's extent is (" << mask->GetExtent()[0] << ", " << mask->GetExtent()[1]
-              << ", " << mask->GetExtent()[2] << ", " << mask->GetExtent()[3]
-              << "), that of the heights is expected: (" << input->GetExtent()[0] << ", "
-              << input->GetExtent()[1] << ", " << input->GetExtent()[2] << ", "
-              << input->GetExtent()[3] << ")";
-      wrong = message.str();
-    }
-  }
-  if (wrong.empty())
-  {
-    wrong = this->Internal->Frame.Assign(input);
-  }
-  if (!wrong.empty())
-  {
-    return fail(wrong);
-  }
-
   const int* extent = input->GetExtent();
   const int columns = extent[1] - extent[0] + 1;
-  wrong = this->PrepareHeights(input, scalars, mask, maskScalars);
+  vtkReliefHeights& heights = this->Internal->Heights;
+  vtkReliefHeights::Source source;
+  source.image = input;
+  source.scalars = this->GetInputArrayToProcess(0, inputs);
+  source.mask = mask;
+  source.maskScalars = mask ? this->GetInputArrayToProcess(1, inputs) : nullptr;
+  source.scale = scene->GetHeightScale();
+  source.useNoData = this->UseNoDataValue;
+  source.noData = this->NoDataValue;
+  source.padded = IsSwept(scene, columns);
+  std::string wrong = heights.Update(source);
   if (!wrong.empty())
   {
     return fail(wrong);
   }
-  const relief::HeightField& field = *this->Internal->Field;
-  const vtkReliefImageFrame& frame = this->Internal->Frame;
+  const relief::HeightField& field = heights.GetField();
+  const vtkReliefImageFrame& frame = heights.GetFrame();
   if (!field.HasData())
   {
     vtkWarningMacro("No sample has data; the output is transparent.");

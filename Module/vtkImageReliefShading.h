@@ -32,9 +32,6 @@
 #include "vtkReliefShadingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
-#include <string> // For std::string
-
-class vtkDataArray;
 
 class vtkReliefScene;
 class vtkReliefStatistics;
@@ -187,9 +184,6 @@ protected:
 private:
   vtkImageReliefShading(const vtkImageReliefShading&) = delete;
   void operator=(const vtkImageReliefShading&) = delete;
-
-  std::string PrepareHeights(
-    vtkImageData* input, vtkDataArray* scalars, vtkImageData* mask, vtkDataArray* maskScalars);
 
   class Internals;
   std::unique_ptr<Internals> Internal;
