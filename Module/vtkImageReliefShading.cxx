@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImageReliefShading.h"
 
-#include "vtkCollectionRange.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -257,27 +254,10 @@ int vtkImageReliefShading::RequestData(
   }
 
   relief::Scene parameters = vtkReliefConvertMaterial(scene, frame, field.GetDatum());
-  vtkNew<vtkReliefScene> unlit;
-  vtkLightCollection* lights = scene->GetLights();
-  if (lights->GetNumberOfItems() == 0)
+  wrong = vtkReliefConvertLights(scene, nullptr, frame, field, parameters.lights);
+  if (!wrong.empty())
   {
-    unlit->AddSun(315.0, 45.0);
-    lights = unlit->GetLights();
-  }
-  int lightIndex = 0;
-  for (vtkLight* light : vtk::Range(lights))
-  {
-    if (light->GetSwitch())
-    {
-      relief::Light converted;
-      wrong = vtkReliefConvertLight(light, frame, field.GetDatum(), converted);
-      if (!wrong.empty())
-      {
-        return fail("light " + std::to_string(lightIndex) + ": " + wrong);
-      }
-      parameters.lights.push_back(converted);
-    }
-    ++lightIndex;
+    return fail(wrong);
   }
 
   // A distributed input holds its piece only, whatever has been asked for.

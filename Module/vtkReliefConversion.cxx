@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefConversion.h"
 
+#include "vtkCollectionRange.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkReliefEnvironment.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
+
+#include "LightSampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,6 +155,68 @@ std::string vtkReliefConvertLight(
     return "its position and focal point must be finite and differ";
   }
   result.vector = v / length;
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
+  const vtkReliefImageFrame& frame, const relief::HeightField& field,
+  std::vector<relief::Light>& result)
+{
+  result.clear();
+  vtkReliefEnvironment* environment = scene->GetEnvironment();
+  vtkNew<vtkReliefScene> unlit;
+  vtkLightCollection* lights = scene->GetLights();
+  if (lights->GetNumberOfItems() == 0 && !environment)
+  {
+    lights = otherwise;
+    if (!lights)
+    {
+      unlit->AddSun(315.0, 45.0);
+      lights = unlit->GetLights();
+    }
+  }
+  int lightIndex = 0;
+  for (vtkLight* light : vtk::Range(lights))
+  {
+    if (light->GetSwitch())
+    {
+      relief::Light converted;
+      const std::string wrong = vtkReliefConvertLight(light, frame, field.GetDatum(), converted);
+      if (!wrong.empty())
+      {
+        return "light " + std::to_string(lightIndex) + ": " + wrong;
+      }
+      const double diameter =
+        converted.positional ? 0.0 : vtkReliefScene::GetAngularDiameter(light);
+      const std::vector<relief::Light> disc = relief::SampleDisc(
+        converted, vtkMath::RadiansFromDegrees(diameter), scene->GetNumberOfSunSamples());
+      result.insert(result.end(), disc.begin(), disc.end());
+    }
+    ++lightIndex;
+  }
+
+  if (environment)
+  {
+    std::vector<relief::Light> samples;
+    glm::dvec3 mean;
+    const std::string wrong =
+      vtkReliefEnvironmentSampler::Sample(environment, frame, samples, mean);
+    if (!wrong.empty())
+    {
+      return "environment: " + wrong;
+    }
+    if (std::isfinite(environment->GetRadius()))
+    {
+      const relief::HeightView<float>& heights = field.GetField().heights;
+      const glm::dvec3 center(0.5 * (heights.columns - 1) * heights.spacingX,
+        0.5 * (heights.rows - 1) * heights.spacingY,
+        field.HasData() ? 0.5 * (static_cast<double>(field.GetBottom()) + field.GetTop()) : 0.0);
+      relief::PlaceOnSphere(samples, center, environment->GetRadius());
+    }
+    relief::ShareTolerance(samples, mean, scene->GetMaterial()->GetUseFloor());
+    result.insert(result.end(), samples.begin(), samples.end());
+  }
   return std::string();
 }
 

@@ -9,10 +9,13 @@
 #include "SceneShading.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
 class vtkLight;
+class vtkLightCollection;
+class vtkReliefEnvironment;
 class vtkReliefScene;
 
 /// The image's own frame: world coordinates with origin and direction taken off, its first sample
@@ -43,6 +46,22 @@ std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, cons
 /// One of VTK's lights in the image's frame, above the field's datum.
 std::string vtkReliefConvertLight(
   vtkLight* light, const vtkReliefImageFrame& frame, double datum, relief::Light& result);
+
+/// The samples of an environment as directional lights in the image's frame, and the mean of its
+/// radiance over the sphere.
+class vtkReliefEnvironmentSampler
+{
+public:
+  static std::string Sample(vtkReliefEnvironment* environment, const vtkReliefImageFrame& frame,
+    std::vector<relief::Light>& lights, glm::dvec3& mean);
+};
+
+/// All lights of a scene: those switched on, suns with a disc as several, and the samples of its
+/// environment. A scene that has neither lights nor environment takes `otherwise` or, if that is
+/// null too, the default sun.
+std::string vtkReliefConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
+  const vtkReliefImageFrame& frame, const relief::HeightField& field,
+  std::vector<relief::Light>& result);
 
 /// Everything of a scene but its lights.
 relief::Scene vtkReliefConvertMaterial(

@@ -10,12 +10,13 @@
  *
  * A light's diffuse colour (linear RGB), intensity, switch and transform matrix count. Its cone,
  * attenuation, ambient and specular colours are not part of the model. Lights add up: two are
- * brighter than one. A scene without lights is lit as cartographers do, by one white sun at azimuth
- * 315, altitude 45.
+ * brighter than one. An environment is light from all around, and adds to the lights. A scene with
+ * neither lights nor environment is lit as cartographers do, by one white sun at azimuth 315,
+ * altitude 45.
  *
  * A setter that is given a value outside its range reports an error and keeps the old value.
  *
- * @sa vtkReliefMaterial vtkImageReliefShading
+ * @sa vtkReliefMaterial vtkReliefEnvironment vtkImageReliefShading
  */
 #ifndef vtkReliefScene_h
 #define vtkReliefScene_h
@@ -25,8 +26,10 @@
 #include "vtkReliefShadingModule.h" // For export macro
 #include "vtkSmartPointer.h"        // For vtkSmartPointer
 
+class vtkInformationDoubleKey;
 class vtkLight;
 class vtkLightCollection;
+class vtkReliefEnvironment;
 class vtkReliefMaterial;
 
 class VTKRELIEFSHADING_EXPORT vtkReliefScene : public vtkObject
@@ -56,12 +59,65 @@ public:
 
   /**
    * Adds a white sun and returns it, owned by the scene. The azimuth is measured clockwise from
-   * north
-   * (+y), the altitude up from the horizon, both in degrees and exact at multiples of 90. Any
-   * finite azimuth is taken, and an altitude in [-90, 90]; outside that an error is reported and
-   * null returned.
+   * north (+y), the altitude up from the horizon, both in degrees and exact at multiples of 90. Any
+   * finite azimuth is taken, an altitude in [-90, 90] and an angular diameter as SetAngularDiameter
+   * takes it; outside that an error is reported and null returned.
    */
-  vtkLight* AddSun(double azimuth, double altitude);
+  vtkLight* AddSun(double azimuth, double altitude, double angularDiameter = 0.0);
+
+  ///@{
+  /**
+   * How large a sun looks: its light then comes from a disc, and shadows get penumbras as wide as
+   * the distance to what throws them makes them. Degrees, in [0, 90]; the real sun's is 0.533. 0 is
+   * a point. Default: 0. Means nothing for a positional light. What of the disc is below the
+   * horizon gives no more light than a sun there. A null light and other values are refused.
+   */
+  void SetAngularDiameter(vtkLight* light, double degrees);
+  static double GetAngularDiameter(vtkLight* light);
+  static vtkInformationDoubleKey* ANGULAR_DIAMETER();
+  ///@}
+
+  ///@{
+  /**
+   * How many lights stand for a sun that has an angular diameter; each is traced. A shadow's edge
+   * has about as many steps. In [1, 4096]. Default: 16.
+   */
+  void SetNumberOfSunSamples(int value);
+  vtkGetMacro(NumberOfSunSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Light from all around. Default: null, none.
+   */
+  void SetEnvironment(vtkReliefEnvironment* environment);
+  vtkReliefEnvironment* GetEnvironment();
+  ///@}
+
+  /**
+   * Four white suns of intensity 1/4 at altitude 30, from south-west, west, north-west and north
+   * (azimuths 225, 270, 315 and 360), after R. Mark, "Multidirectional, oblique-weighted,
+   * shaded-relief image of the Island of Hawaii", USGS Open-File Report 92-422 (1992). Mark weighs
+   * each sun by the squared sine of the angle between it and a slope's aspect; a light is as strong
+   * on all slopes, and 1/4 is the mean of his weights over all aspects. Replaces all lights and the
+   * environment.
+   */
+  void SetLightsToMultidirectional();
+
+  /**
+   * A uniform white sky, as sky-view maps have it: hollows darken, ridges stand out, no side is
+   * preferred. An environment of 128 samples, of which 64 are above the horizon. Replaces all
+   * lights and the environment.
+   */
+  void SetLightsToSkyDome();
+
+  /**
+   * The real sun (0.533 degrees, intensity 0.8, reddened by the air) and a clear sky that gives
+   * level ground 0.3, for turbidity 3. The azimuth is finite, the altitude in [0, 90] degrees;
+   * otherwise an error is reported and the lights are kept. Replaces all lights and the
+   * environment.
+   */
+  void SetLightsToSunAndSky(double azimuth, double altitude);
 
   ///@{
   /**
@@ -94,8 +150,10 @@ public:
   /**
    * How far the illumination d of the Exact integrator may be from the exact sum, at every sample.
    * The error shows multiplied by the light's intensity: lower the tolerance for very bright
-   * lights. No unit, at least 0; 0 asks for all that single precision gives. Default: 0.002, less
-   * than half a step of 8-bit output.
+   * lights. For the samples of an environment it is shared out: their summed colour errs by no more
+   * than the tolerance times the intensity and the mean colour of the environment. No unit, at
+   * least 0; 0 asks for all that single precision gives. Default: 0.002, less than half a step of
+   * 8-bit output.
    */
   void SetTolerance(double value);
   vtkGetMacro(Tolerance, double);
@@ -110,7 +168,7 @@ public:
   ///@}
 
   /**
-   * Changes with the material and the lights.
+   * Changes with the material, the lights and the environment.
    */
   vtkMTimeType GetMTime() override;
 
@@ -120,10 +178,12 @@ protected:
 
   vtkSmartPointer<vtkReliefMaterial> Material;
   vtkNew<vtkLightCollection> Lights;
+  vtkSmartPointer<vtkReliefEnvironment> Environment;
   double HeightScale = 1.0;
   int Integrator = Exact;
   double Tolerance = 0.002;
   int NumberOfSteps = 256;
+  int NumberOfSunSamples = 16;
 
 private:
   vtkReliefScene(const vtkReliefScene&) = delete;

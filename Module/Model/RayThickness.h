@@ -20,6 +20,7 @@ struct Light
   glm::dvec3 color = glm::dvec3(1.0);
   double intensity = 1.0;
   double weight = 1.0;
+  double toleranceScale = 1.0; ///< what the medium's tolerance is multiplied by for this light
 };
 
 /// The model's types in one precision.

@@ -110,3 +110,10 @@ RELIEF_FN real reliefEncode(real linear)
   real c = clamp(linear, real(0.0f), real(1.0f));
   return c <= 0.0031308f ? 12.92f * c : 1.055f * pow(c, real(1.0f / 2.4f)) - 0.055f;
 }
+
+// sRGB to linear, the inverse on [0, 1].
+RELIEF_FN real reliefDecode(real encoded)
+{
+  real c = clamp(encoded, real(0.0f), real(1.0f));
+  return c <= 0.04045f ? c / 12.92f : pow((c + 0.055f) / 1.055f, real(2.4f));
+}

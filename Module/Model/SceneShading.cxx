@@ -136,12 +136,10 @@ SceneShading::SceneShading(
   , Parameters(scene)
   , Out(target)
   , Medium(relief::ToSingle(scene.medium))
-  , ExactMedium(this->Medium)
   , SpecularFalloff(ToSingle(scene.specularFalloff))
   , ScatterFalloff(ToSingle(scene.scatterFalloff))
   , Rays(new std::atomic<std::uint64_t>[scene.lights.size()] {})
 {
-  this->ExactMedium.tolerance = 0.0f;
   double ks = scene.specularCoefficient;
   double kf = scene.scatterCoefficient;
   bool diffuseShows = ks < 1.0 && !IsBlack(scene.diffuse);
@@ -161,6 +159,9 @@ SceneShading::SceneShading(
     bool lit = plan.share != 0.0f && !IsBlack(light.color);
     plan.shows = lit && (diffuseShows || specularShows);
     plan.thickness = target.thickness && firstLight;
+    plan.medium = scene.medium;
+    plan.medium.tolerance = plan.thickness ? 0.0 : scene.medium.tolerance * light.toleranceScale;
+    plan.single = relief::ToSingle(plan.medium);
     plan.needsD = plan.thickness || (lit && (diffuseShows || target.illumination));
     bool neverLit = plan.directional && light.vector.z < 0.0 && !scene.medium.useFloor &&
       scene.integrator == Integrator::Exact;
@@ -182,9 +183,7 @@ SceneShading::SceneShading(
     if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact &&
       field.GetMissingRow() && SweepThickness::Applies(scene.medium, light))
     {
-      f64::ReliefMedium medium = scene.medium;
-      medium.tolerance = plan.thickness ? 0.0 : medium.tolerance;
-      plan.sweep = std::make_unique<SweepThickness>(field, medium, light);
+      plan.sweep = std::make_unique<SweepThickness>(field, plan.medium, light);
     }
     firstLight = false;
     this->Plans.push_back(std::move(plan));
@@ -225,8 +224,7 @@ void SceneShading::UseCache(Plan& plan, int room)
   key.rows = this->Out.rows;
   key.vector = plan.light.vector;
   key.positional = plan.light.positional;
-  key.medium = this->Parameters.medium;
-  key.medium.tolerance = plan.thickness ? 0.0 : key.medium.tolerance;
+  key.medium = plan.medium;
   key.steps = this->Parameters.integrator == Integrator::FixedStep ? this->Parameters.steps : 0;
   key.thickness = plan.thickness;
   plan.kept = this->Cache->Find(key);
@@ -357,8 +355,7 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
       }
       else
       {
-        TracePackets(this->Heights, plan.thickness ? this->ExactMedium : this->Medium, plan.light,
-          request, work);
+        TracePackets(this->Heights, plan.single, plan.light, request, work);
       }
     }
   }

@@ -94,15 +94,17 @@ private:
   // A light and what the scene wants of it.
   struct Plan
   {
-    Light light;        ///< as the integrator takes it
-    glm::vec3 vector;   ///< toward it, for a directional light's highlight and scattering
-    bool directional;   ///< as the scene has it
-    glm::vec3 radiance; ///< weight, intensity and colour
-    float share;        ///< weight and intensity, for the mean illumination
-    bool shows;         ///< it brightens something
-    bool needsD;        ///< its illumination shows
-    bool trace;         ///< and is not known to be 0
-    bool thickness;     ///< its thickness is a layer
+    Light light;              ///< as the integrator takes it
+    f64::ReliefMedium medium; ///< with the light's own tolerance
+    f32::ReliefMedium single; ///< the same in single precision
+    glm::vec3 vector;         ///< toward it, for a directional light's highlight and scattering
+    bool directional;         ///< as the scene has it
+    glm::vec3 radiance;       ///< weight, intensity and colour
+    float share;              ///< weight and intensity, for the mean illumination
+    bool shows;               ///< it brightens something
+    bool needsD;              ///< its illumination shows
+    bool trace;               ///< and is not known to be 0
+    bool thickness;           ///< its thickness is a layer
     std::unique_ptr<SweepThickness> sweep; ///< traces it in lockstep, where that applies
     std::shared_ptr<const IlluminationCache::Entry> kept; ///< d from an earlier run
     std::shared_ptr<IlluminationCache::Entry> fresh;      ///< d for the next
@@ -123,7 +125,6 @@ private:
   Scene Parameters;
   Target Out;
   f32::ReliefMedium Medium;
-  f32::ReliefMedium ExactMedium; // with tolerance 0, for the thickness layer
   f32::ReliefFalloff SpecularFalloff;
   f32::ReliefFalloff ScatterFalloff;
   std::vector<Plan> Plans;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LightSampling_h
+#define LightSampling_h
+
+#include "RayThickness.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace relief
+{
+
+/// Radiance from every direction, linear RGB: a latitude-longitude image. Row 0 begins at the
+/// zenith (+z), the last row ends at the nadir; column 0 begins at +x, and the columns run
+/// counter-clockwise seen from above. A texel has one radiance all over.
+class RadianceMap
+{
+public:
+  /// What exceeds it counts as infinite: sums and colours must stay finite in single precision.
+  static constexpr double Largest = 1e30;
+
+  RadianceMap() = default;
+
+  /// A black map; both numbers are at least 1.
+  RadianceMap(int columns, int rows);
+
+  /// Sets a texel. One with a NaN or an infinite channel becomes black, a negative channel becomes
+  /// 0.
+  void Set(int column, int row, const glm::dvec3& radiance);
+
+  /// How many texels Set() had to clean.
+  std::size_t GetCleaned() const { return this->Cleaned; }
+
+  int GetColumns() const { return this->Columns; }
+  int GetRows() const { return this->Rows; }
+  const glm::vec3& At(int column, int row) const
+  {
+    return this->Texels[static_cast<std::size_t>(row) * this->Columns + column];
+  }
+
+  /// The mean over the sphere.
+  glm::dvec3 GetMean() const;
+
+private:
+  int Columns = 0;
+  int Rows = 0;
+  std::vector<glm::vec3> Texels;
+  std::size_t Cleaned = 0;
+};
+
+enum class EnvironmentSampling
+{
+  Uniform,    ///< equal steps of azimuth and polar angle, w = 1/N each, as the thesis has it
+  SolidAngle, ///< patches of equal solid angle in each half of the sphere, w = solid angle / pi
+  Importance  ///< small patches where light is strong and uneven, w = solid angle / pi
+};
+
+/// A map as directional lights. A light stands for a patch of the sphere: its colour is the mean
+/// radiance of the texels in the patch, parts of texels counted as parts, so that the sum of colour
+/// and weight is the map's own integral at every number of samples. `toField` turns the map's
+/// frame to the field's; it may mirror.
+///
+/// Patches do not cross the horizon of the map's tilted frame (unless one light stands for all). A
+/// light's height above that horizon is the mean over its patch, so that on level ground, where d
+/// is that height, a uniform sky gives what its integral gives, at every number of samples.
+///
+/// - Uniform: rows of patches that are equal in (u, v), sqrt(N) rows; a square N gives a square
+///   grid, as in the thesis (section 4.3.2.2). The mean is over (u, v), the measure that 1/N
+///   belongs to; the light shines from the patch's middle in (u, v).
+/// - SolidAngle: each half is cut into bands, and these into nearly square patches, as P. Leopardi,
+///   "A partition of the unit sphere into regions of equal area and small diameter", ETNA 25
+///   (2006), does; but the pole has several patches, and where N is a multiple of 8 the pattern
+///   looks the same after a quarter turn.
+/// - Importance: the patch whose light could err most, its energy times its spread, is cut in two
+///   where the spreads of the halves become least, until there are N (variance minimisation:
+///   K. Viriyothai and P. Debevec, "Variance minimization light probe sampling", SIGGRAPH Posters
+///   2009, after Debevec's median cut of 2005). The light shines from its patch's centre of
+///   energy. Black patches give no light, so there may be fewer than N.
+///
+/// Patches stay where they are while the map turns about its own axis, which then changes
+/// colours only; they lean and turn with everything else.
+std::vector<Light> SampleEnvironment(
+  const RadianceMap& map, EnvironmentSampling sampling, int samples, const glm::dmat3& toField);
+
+/// Puts directional lights on a sphere, as positional ones.
+void PlaceOnSphere(std::vector<Light>& lights, const glm::dvec3& center, double radius);
+
+/// Shares a scene's tolerance out to the lights of an environment (sets their toleranceScale), so
+/// that the weighted sum of their colours times d errs by at most the tolerance times `mean` in
+/// every channel, with the least work: a light's own tolerance is inverse to the root of its share
+/// s of the light. Were work per light inverse to its tolerance, this split would make it least.
+/// Directional lights below the horizon take part only where they can show.
+void ShareTolerance(std::vector<Light>& lights, const glm::dvec3& mean, bool belowShows);
+
+/// A sun's disc as directional lights of equal solid angle and equal weight, which sum to the
+/// sun's. `diameter` is an angle in radians; 0, or one sample, gives the sun itself. Samples lie
+/// in pairs opposite one another on a sunflower's spiral (H. Vogel, "A better way to construct the
+/// sunflower head", Mathematical Biosciences 44 (1979)), so their mean direction is the sun's.
+std::vector<Light> SampleDisc(const Light& sun, double diameter, int samples);
+
+}
+
+#endif

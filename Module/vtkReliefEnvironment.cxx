@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefEnvironment.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkReliefAngles.h"
+#include "vtkReliefConversion.h"
+#include "vtkReliefSetters.h"
+#include "vtkSmartPointer.h"
+
+#include "ClearSky.h"
+
+#include <algorithm>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <tuple>
+
+vtkStandardNewMacro(vtkReliefEnvironment);
+
+static_assert(static_cast<int>(vtkReliefEnvironment::Uniform) ==
+  static_cast<int>(relief::EnvironmentSampling::Uniform));
+static_assert(static_cast<int>(vtkReliefEnvironment::SolidAngle) ==
+  static_cast<int>(relief::EnvironmentSampling::SolidAngle));
+static_assert(static_cast<int>(vtkReliefEnvironment::Importance) ==
+  static_cast<int>(relief::EnvironmentSampling::Importance));
+
+#define vtkReliefThisClass vtkReliefEnvironment
+vtkReliefSetNumberBody(RotationZ, double, true, "a finite number");
+vtkReliefSetNumberBody(Tilt, double, true, "a finite number");
+vtkReliefSetNumberBody(Intensity, double, value >= 0.0, "a finite number of at least 0");
+vtkReliefSetNumberBody(Sampling, int, value >= Uniform && value <= Importance,
+  "Uniform (0), SolidAngle (1) or Importance (2)");
+vtkReliefSetNumberBody(
+  NumberOfSamples, int, value >= 1 && value <= 65536, "a number in [1, 65536]");
+
+namespace
+{
+
+// From stored to linear values.
+class Decoder
+{
+public:
+  explicit Decoder(int type)
+  {
+    const int levels = type == VTK_UNSIGNED_CHAR ? 256 : type == VTK_UNSIGNED_SHORT ? 65536 : 0;
+    this->Linear.resize(levels);
+    for (int level = 0; level < levels; ++level)
+    {
+      this->Linear[level] = relief::f64::reliefDecode(level / (levels - 1.0));
+    }
+  }
+
+  double operator()(double stored) const
+  {
+    return this->Linear.empty() ? stored : this->Linear[static_cast<std::size_t>(stored)];
+  }
+
+private:
+  std::vector<double> Linear;
+};
+
+std::string CheckImage(vtkImageData* image)
+{
+  std::ostringstream message;
+  const int* extent = image->GetExtent();
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (image->GetNumberOfPoints() < 1)
+  {
+    message << "the image is empty";
+  }
+  else if (extent[4] != extent[5])
+  {
+    message << "the image has " << extent[5] - extent[4] + 1 << " slices, 1 is expected";
+  }
+  else if (!scalars)
+  {
+    message << "the image has no scalars";
+  }
+  else if (scalars->GetNumberOfComponents() < 1 || scalars->GetNumberOfComponents() > 4)
+  {
+    message << "the image has " << scalars->GetNumberOfComponents()
+            << " components, 1 to 4 are expected";
+  }
+  else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    message << "the image's scalars have " << scalars->GetNumberOfTuples() << " values, "
+            << image->GetNumberOfPoints() << " are expected";
+  }
+  else
+  {
+    const int type = scalars->GetDataType();
+    if (type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT && type != VTK_FLOAT &&
+      type != VTK_DOUBLE)
+    {
+      message << "the image's scalars are of type " << scalars->GetDataTypeAsString()
+              << ", unsigned char or unsigned short (sRGB), float or double (linear) is expected";
+    }
+  }
+  return message.str();
+}
+
+relief::RadianceMap ReadImage(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const int columns = image->GetDimensions()[0];
+  const int rows = image->GetDimensions()[1];
+  const bool grey = scalars->GetNumberOfComponents() < 3;
+  const Decoder decode(scalars->GetDataType());
+  relief::RadianceMap map(columns, rows);
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      // The zenith is the picture's top row, the image's last.
+      const vtkIdType at = static_cast<vtkIdType>(rows - 1 - j) * columns + i;
+      const double red = decode(scalars->GetComponent(at, 0));
+      map.Set(i, j,
+        grey ? glm::dvec3(red)
+             : glm::dvec3(
+                 red, decode(scalars->GetComponent(at, 1)), decode(scalars->GetComponent(at, 2))));
+    }
+  }
+  return map;
+}
+
+vtkSmartPointer<vtkImageData> MakeImage(const relief::RadianceMap& map)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(map.GetColumns(), map.GetRows(), 1);
+  vtkNew<vtkFloatArray> colors;
+  colors->SetName("Radiance");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(image->GetNumberOfPoints());
+  float* to = colors->GetPointer(0);
+  for (int j = map.GetRows() - 1; j >= 0; --j)
+  {
+    for (int i = 0; i < map.GetColumns(); ++i, to += 3)
+    {
+      std::copy_n(&map.At(i, j).x, 3, to);
+    }
+  }
+  image->GetPointData()->SetScalars(colors);
+  return image;
+}
+
+}
+
+class vtkReliefEnvironment::Internals
+{
+public:
+  vtkSmartPointer<vtkImageData> Image;
+
+  // Kept until what they were made from changes; modification times are never given twice.
+  relief::RadianceMap Map;
+  glm::dvec3 Mean;
+  vtkMTimeType MapTime = 0;
+  std::vector<relief::Light> Lights;
+  std::tuple<vtkMTimeType, int, int, glm::dmat3> LightsMadeFrom;
+};
+
+//------------------------------------------------------------------------------
+vtkReliefEnvironment::vtkReliefEnvironment()
+  : Radius(std::numeric_limits<double>::infinity())
+  , Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkReliefEnvironment::~vtkReliefEnvironment() = default;
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::SetImage(vtkImageData* image)
+{
+  if (this->Internal->Image != image)
+  {
+    this->Internal->Image = image;
+    this->Internal->Map = relief::RadianceMap();
+    this->Internal->MapTime = 0;
+    this->Internal->Lights.clear();
+    this->Internal->LightsMadeFrom = {};
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkReliefEnvironment::GetImage()
+{
+  return this->Internal->Image;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::SetImageToWhiteDome()
+{
+  relief::RadianceMap dome(1, 2);
+  dome.Set(0, 0, glm::dvec3(1.0));
+  this->SetImage(MakeImage(dome));
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::SetImageToClearSky(double azimuth, double altitude, double turbidity)
+{
+  if (!std::isfinite(azimuth) || !(altitude >= 0.0 && altitude <= 90.0) ||
+    !(turbidity >= 2.0 && turbidity <= 10.0))
+  {
+    vtkErrorMacro("SetImageToClearSky: azimuth "
+      << azimuth << ", altitude " << altitude << ", turbidity " << turbidity
+      << " was given, a finite azimuth, an altitude in [0, 90] degrees and a turbidity in [2, 10] "
+         "are expected; the old image is kept.");
+    return;
+  }
+  glm::dvec3 sun;
+  vtkReliefDirection(azimuth, altitude, &sun.x);
+  this->SetImage(MakeImage(relief::ClearSky(sun, turbidity, 256, 128)));
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::SetRadius(double value)
+{
+  if (!(value > 0.0))
+  {
+    vtkErrorMacro("SetRadius: " << value << " was given, a number above 0 is expected; "
+                                << this->Radius << " is kept.");
+    return;
+  }
+  if (this->Radius != value)
+  {
+    this->Radius = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::SetRadiusToInfinity()
+{
+  this->SetRadius(std::numeric_limits<double>::infinity());
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkReliefEnvironment::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Internal->Image ? std::max(time, this->Internal->Image->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Image: " << this->GetImage() << "\n";
+  os << indent << "RotationZ: " << this->RotationZ << "\n";
+  os << indent << "Tilt: " << this->Tilt << "\n";
+  os << indent << "Intensity: " << this->Intensity << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Sampling: "
+     << (this->Sampling == Uniform         ? "Uniform"
+            : this->Sampling == SolidAngle ? "SolidAngle"
+                                           : "Importance")
+     << "\n";
+  os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environment,
+  const vtkReliefImageFrame& frame, std::vector<relief::Light>& lights, glm::dvec3& mean)
+{
+  vtkReliefEnvironment::Internals& internal = *environment->Internal;
+  vtkImageData* image = internal.Image;
+  lights.clear();
+  mean = glm::dvec3(0.0);
+  if (!image)
+  {
+    return std::string();
+  }
+  const std::string wrong = CheckImage(image);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+
+  // From the image through the world to the relief's frame, one axis a column.
+  const double cz = vtkReliefCosDegrees(environment->RotationZ);
+  const double sz = vtkReliefSinDegrees(environment->RotationZ);
+  const double ct = vtkReliefCosDegrees(environment->Tilt);
+  const double st = vtkReliefSinDegrees(environment->Tilt);
+  const double axes[3][3] = { { cz, ct * sz, st * sz }, { -sz, ct * cz, st * cz },
+    { 0.0, -st, ct } };
+  const glm::dmat3 toField(
+    frame.VectorFromWorld(axes[0]), frame.VectorFromWorld(axes[1]), frame.VectorFromWorld(axes[2]));
+
+  const vtkMTimeType time = image->GetMTime();
+  try
+  {
+    if (internal.MapTime != time)
+    {
+      internal.Map = ReadImage(image);
+      internal.Mean = internal.Map.GetMean();
+      internal.MapTime = time;
+      if (internal.Map.GetCleaned() > 0)
+      {
+        vtkWarningWithObjectMacro(environment,
+          "The image has " << internal.Map.GetCleaned()
+                           << " texels that are not finite, negative or above "
+                           << relief::RadianceMap::Largest << "; they are taken for black.");
+      }
+    }
+    const auto madeFrom =
+      std::make_tuple(time, environment->Sampling, environment->NumberOfSamples, toField);
+    if (internal.LightsMadeFrom != madeFrom)
+    {
+      internal.Lights = relief::SampleEnvironment(internal.Map,
+        static_cast<relief::EnvironmentSampling>(environment->Sampling),
+        environment->NumberOfSamples, toField);
+      internal.LightsMadeFrom = madeFrom;
+    }
+    lights = internal.Lights;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "there is not enough memory for its lights";
+  }
+  for (relief::Light& light : lights)
+  {
+    light.intensity = environment->Intensity;
+  }
+  mean = internal.Mean;
+  return std::string();
+}
