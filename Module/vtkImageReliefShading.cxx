@@ -14,7 +14,9 @@
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefStatistics.h"
+#include "vtkReliefTextures.h"
 #include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "SceneShading.h"
@@ -30,6 +32,11 @@ static_assert(static_cast<int>(vtkReliefStatistics::Illumination) == relief::Ill
 static_assert(static_cast<int>(vtkReliefStatistics::Normals) == relief::NormalsEffect);
 static_assert(static_cast<int>(vtkReliefStatistics::Specular) == relief::SpecularEffect);
 static_assert(static_cast<int>(vtkReliefStatistics::ForwardScatter) == relief::ScatterEffect);
+static_assert(static_cast<int>(vtkReliefStatistics::BaseTexture) == relief::BaseTextureEffect);
+static_assert(
+  static_cast<int>(vtkReliefStatistics::DiffuseTexture) == relief::DiffuseTextureEffect);
+static_assert(
+  static_cast<int>(vtkReliefStatistics::SpecularTexture) == relief::SpecularTextureEffect);
 
 namespace
 {
@@ -63,20 +70,25 @@ class vtkImageReliefShading::Internals
 {
 public:
   vtkSmartPointer<vtkReliefScene> Scene = vtkSmartPointer<vtkReliefScene>::New();
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
   vtkNew<vtkReliefStatistics> Statistics;
 
   // Kept between updates.
   vtkReliefHeights Heights;
   relief::IlluminationCache Cache;
+  vtkReliefTextures Textures;
 };
 
 //------------------------------------------------------------------------------
 vtkImageReliefShading::vtkImageReliefShading()
   : Internal(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetInputArrayToProcess(
-    1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->SetNumberOfInputPorts(5);
+  for (int port = 1; port < 5; ++port)
+  {
+    this->SetInputArrayToProcess(
+      port, port, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -101,6 +113,23 @@ void vtkImageReliefShading::SetScene(vtkReliefScene* scene)
 vtkReliefScene* vtkImageReliefShading::GetScene()
 {
   return this->Internal->Scene;
+}
+
+//------------------------------------------------------------------------------
+void vtkImageReliefShading::SetLookupTable(vtkScalarsToColors* table)
+{
+  if (this->Internal->LookupTable != table)
+  {
+    this->Internal->LookupTable = table;
+    this->Internal->Textures.Release();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkImageReliefShading::GetLookupTable()
+{
+  return this->Internal->LookupTable;
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +181,7 @@ void vtkImageReliefShading::ReleaseCache()
 {
   this->Internal->Heights.Release();
   this->Internal->Cache.Keep({});
+  this->Internal->Textures.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +193,9 @@ vtkReliefStatistics* vtkImageReliefShading::GetStatistics()
 //------------------------------------------------------------------------------
 vtkMTimeType vtkImageReliefShading::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Internal->Scene->GetMTime());
+  vtkScalarsToColors* table = this->Internal->LookupTable;
+  return std::max({ this->Superclass::GetMTime(), this->Internal->Scene->GetMTime(),
+    table ? table->GetMTime() : 0 });
 }
 
 //------------------------------------------------------------------------------
@@ -260,6 +292,29 @@ int vtkImageReliefShading::RequestData(
     return fail(wrong);
   }
 
+  auto textureInput = [&](int port)
+  {
+    vtkReliefTextureInput result;
+    result.image = vtkImageData::GetData(inputs[port]);
+    if (result.image)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(0);
+      result.scalars = this->GetInputArrayToProcess(port, inputs);
+      std::copy_n(info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+          ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+          : result.image->GetExtent(),
+        6, result.whole);
+    }
+    return result;
+  };
+  vtkReliefTextures& textures = this->Internal->Textures;
+  wrong = textures.Add(textureInput(0), { textureInput(2), textureInput(3), textureInput(4) },
+    this->Internal->LookupTable, this->StretchTextures, this, parameters);
+  if (!wrong.empty())
+  {
+    return fail(wrong);
+  }
+
   // A distributed input holds its piece only, whatever has been asked for.
   int outExtent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), outExtent);
@@ -319,6 +374,7 @@ int vtkImageReliefShading::RequestData(
     return fail(
       "there is not enough memory to keep illuminations; SetMaximumCachedLights(0) keeps none");
   }
+  textures.WarnOfTexels(parameters, shading->GetEffects(), this);
   const int height = relief::SweepThickness::TileHeight;
   const int firstRow = target.j0;
   const int endRow = target.j0 + outExtent[3] - outExtent[2] + 1;
@@ -370,6 +426,17 @@ void vtkImageReliefShading::PrintSelf(ostream& os, vtkIndent indent)
   this->Internal->Scene->PrintSelf(os, indent.GetNextIndent());
   os << indent << "NoDataValue: " << this->NoDataValue << "\n";
   printSwitch("UseNoDataValue", this->UseNoDataValue);
+  printSwitch("StretchTextures", this->StretchTextures);
+  os << indent << "LookupTable:";
+  if (this->Internal->LookupTable)
+  {
+    os << "\n";
+    this->Internal->LookupTable->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << " (none)\n";
+  }
   os << indent
      << "OutputScalarType: " << (this->OutputScalarType == VTK_FLOAT ? "Float" : "UnsignedChar")
      << "\n";

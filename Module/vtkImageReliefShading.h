@@ -7,6 +7,15 @@
  * optional, is a mask of the same extent, one component of any numeric type: where it is 0 there is
  * no data. NaN, infinite and NoDataValue heights are no data either.
  *
+ * Inputs 2, 3 and 4, optional, are textures for the diffuse, base and specular colour: one slice of
+ * 1 component (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha). unsigned char and unsigned short
+ * are sRGB-encoded and 255 and 65535 are 1; float and double are linear; other types are refused.
+ * Where alpha is less than 1, and beyond the texture, the material's own constant colour shows. A
+ * texture may have another size than the heights: each sample takes the colour at its own position
+ * in the world, bilinear between the centres of the texels. Where the texture is much finer than
+ * the heights, this picks out single texels: average it to their spacing first. Texels are read
+ * where they are; nothing is copied.
+ *
  * The output has the input's extent and four components, red, green, blue and alpha: alpha is 1
  * (255) where there is data; elsewhere all four are 0. Float output is linear, 8-bit output is
  * clamped to [0, 1] and sRGB-encoded. Layers that are switched on come as further point arrays of
@@ -16,8 +25,10 @@
  * is asked for whatever part of the output is. Results do not depend on threads or pieces. Threads
  * are vtkSMPTools's. Cost: O(samples x lights x length of the shadows).
  *
- * Bad input (no scalars, several components, several slices, no extent, a mask of another extent, a
- * light that is not finite) reports one error and gives an empty output.
+ * Bad input (no scalars, a wrong number of components, several slices, no extent, a mask of another
+ * extent, a texture of a type that is not listed, a light that is not finite) reports one error and
+ * gives an empty output. A texture that lies nowhere on the heights, and texels that are negative
+ * or not finite, which count as 0, are told by a warning.
  *
  * Algorithm: F. N. Pramananda Perumal, "An integrated model for direct illumination, subsurface
  * scattering, specular highlights and shadow computation", MSc thesis, Texas A&M University, 2017,
@@ -32,6 +43,8 @@
 #include "vtkReliefShadingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
+
+class vtkScalarsToColors;
 
 class vtkReliefScene;
 class vtkReliefStatistics;
@@ -58,6 +71,43 @@ public:
    */
   void SetMaskConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(1, port); }
   void SetMaskData(vtkDataObject* mask) { this->SetInputData(1, mask); }
+  ///@}
+
+  ///@{
+  /**
+   * Textures for the diffuse, base and specular colour, inputs 2, 3 and 4: see above. Each lies
+   * over the material's constant colour, the diffuse one over the LookupTable's colours too. Null
+   * for none.
+   */
+  void SetDiffuseTextureConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(2, port); }
+  void SetDiffuseTextureData(vtkDataObject* texture) { this->SetInputData(2, texture); }
+  void SetBaseTextureConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(3, port); }
+  void SetBaseTextureData(vtkDataObject* texture) { this->SetInputData(3, texture); }
+  void SetSpecularTextureConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(4, port); }
+  void SetSpecularTextureData(vtkDataObject* texture) { this->SetInputData(4, texture); }
+  ///@}
+
+  ///@{
+  /**
+   * On: textures cover the whole field, edge to edge, whatever their own origin, spacing and
+   * direction say; a texture's first texel lies at the first sample. For pictures that know no
+   * position. Off: each lies where its image does in the world. Default: off.
+   */
+  vtkSetMacro(StretchTextures, bool);
+  vtkGetMacro(StretchTextures, bool);
+  vtkBooleanMacro(StretchTextures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A table that gives the diffuse colour by height, as cartographers tint: vtkLookupTable,
+   * vtkColorTransferFunction, or any other. It maps the input's own values, before HeightScale; its
+   * colours are sRGB-encoded, as VTK's tables are for the screen. Where its opacity is less than 1
+   * the material's diffuse colour shows through. The colours take 4 bytes a sample, kept between
+   * updates. Null, the default, for none.
+   */
+  void SetLookupTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetLookupTable();
   ///@}
 
   ///@{
@@ -143,7 +193,8 @@ public:
   ///@}
 
   /**
-   * Frees what is kept between updates: illuminations and the prepared heights, 5 bytes a sample.
+   * Frees what is kept between updates: illuminations, the prepared heights, 5 bytes a sample, and
+   * the LookupTable's colours.
    */
   void ReleaseCache();
 
@@ -153,7 +204,7 @@ public:
   vtkReliefStatistics* GetStatistics();
 
   /**
-   * Changes with the scene.
+   * Changes with the scene and the lookup table.
    */
   vtkMTimeType GetMTime() override;
 
@@ -171,6 +222,7 @@ protected:
 
   double NoDataValue = 0.0;
   bool UseNoDataValue = false;
+  bool StretchTextures = false;
   int OutputScalarType = VTK_FLOAT;
   bool GenerateIllumination = false;
   bool GenerateThickness = false;

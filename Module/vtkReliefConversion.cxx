@@ -86,7 +86,7 @@ void vtkReliefImageFrame::NormalToWorld(float* n) const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what)
+std::string vtkReliefCheckImage(vtkImageData* image, vtkDataArray* scalars, const char* what)
 {
   std::ostringstream message;
   const int* extent = image->GetExtent();
@@ -103,11 +103,6 @@ std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, cons
   {
     message << "the " << what << " image has no scalars";
   }
-  else if (scalars->GetNumberOfComponents() != 1)
-  {
-    message << "the " << what << " image has " << scalars->GetNumberOfComponents()
-            << " components, 1 is expected";
-  }
   else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     message << "the " << what << " array has " << scalars->GetNumberOfTuples() << " values, "
@@ -118,6 +113,20 @@ std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, cons
     message << "the " << what << " scalars are bits, a numeric type is expected";
   }
   return message.str();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what)
+{
+  std::string wrong = vtkReliefCheckImage(image, scalars, what);
+  if (wrong.empty() && scalars->GetNumberOfComponents() != 1)
+  {
+    std::ostringstream message;
+    message << "the " << what << " image has " << scalars->GetNumberOfComponents()
+            << " components, 1 is expected";
+    wrong = message.str();
+  }
+  return wrong;
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,9 @@ private:
   double First[2] = { 0.0, 0.0 };
 };
 
+/// Checks that an image is one slice of scalars.
+std::string vtkReliefCheckImage(vtkImageData* image, vtkDataArray* scalars, const char* what);
+
 /// Checks that an image is one slice of scalars of one component.
 std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what);
 

@@ -9,7 +9,9 @@ vtkStandardNewMacro(vtkReliefStatistics);
 std::string vtkReliefStatistics::GetEffectNames()
 {
   const std::pair<int, const char*> names[] = { { Illumination, "Illumination" },
-    { Normals, "Normals" }, { Specular, "Specular" }, { ForwardScatter, "ForwardScatter" } };
+    { Normals, "Normals" }, { Specular, "Specular" }, { ForwardScatter, "ForwardScatter" },
+    { BaseTexture, "BaseTexture" }, { DiffuseTexture, "DiffuseTexture" },
+    { SpecularTexture, "SpecularTexture" } };
   std::string text;
   for (const auto& name : names)
   {

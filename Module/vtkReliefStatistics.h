@@ -25,7 +25,10 @@ public:
     Illumination = 1,
     Normals = 2,
     Specular = 4,
-    ForwardScatter = 8
+    ForwardScatter = 8,
+    BaseTexture = 16,
+    DiffuseTexture = 32, ///< or a lookup table
+    SpecularTexture = 64
   };
 
   ///@{

@@ -104,6 +104,13 @@ RELIEF_FN real3 reliefSpecularTerm(real ks, real s, real3 light, real3 specular)
   return (ks * s) * light * specular;
 }
 
+// A texture's colour, multiplied by its alpha, over what lies below it (T. Porter, T. Duff,
+// "Compositing digital images", 1984, section 4.2).
+RELIEF_FN real3 reliefOver(real3 texel, real alpha, real3 below)
+{
+  return texel + (1.0f - alpha) * below;
+}
+
 // Linear to sRGB, IEC 61966-2-1, clamped to [0, 1].
 RELIEF_FN real reliefEncode(real linear)
 {
@@ -115,5 +122,5 @@ RELIEF_FN real reliefEncode(real linear)
 RELIEF_FN real reliefDecode(real encoded)
 {
   real c = clamp(encoded, real(0.0f), real(1.0f));
-  return c <= 0.04045f ? c / 12.92f : pow((c + 0.055f) / 1.055f, real(2.4f));
+  return c <= 0.04045f ? c / 12.92f : pow((c + 0.055f) / (real(1.0f) + 0.055f), real(2.4f));
 }

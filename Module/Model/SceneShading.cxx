@@ -2,6 +2,7 @@
 #include "SceneShading.h"
 
 #include "PacketThickness.h"
+#include "SceneTile.h"
 #include "StepThickness.h"
 
 #include <algorithm>
@@ -34,9 +35,7 @@ public:
     this->Begin[0] = 0.0f;
     for (int code = 1; code < 256; ++code)
     {
-      const double e = (code - 0.5) / 255.0;
-      this->Begin[code] =
-        static_cast<float>(e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4));
+      this->Begin[code] = static_cast<float>(f64::reliefDecode((code - 0.5) / 255.0));
     }
     this->Begin[256] = std::numeric_limits<float>::infinity();
     int code = 0;
@@ -69,65 +68,6 @@ private:
 };
 }
 
-// Sums and intermediate results of a tile. It is computed as far as it lies in the image, whatever
-// part of it is asked for: neighbouring rays are traced together, and results must not depend on
-// the company.
-struct SceneShading::Tile
-{
-  int column; // of the tile
-  int row;
-  int i0, i1, j0, j1;                     // in the image
-  int askedI0, askedI1, askedJ0, askedJ1; // asked for
-  bool anyData;
-
-  static constexpr int Width = SweepThickness::TileWidth;
-  static constexpr int Size = SweepThickness::TileSize;
-  unsigned char hasData[Size];
-  unsigned char wanted[Size];
-  glm::vec3 normals[Size];
-  glm::vec3 toLight[Size];
-  float scatterFactor[Size];
-  float d[Size];
-  float r[Size];
-  glm::vec3 diffuse[Size];
-  glm::vec3 scatter[Size];
-  glm::vec3 specular[Size];
-  float illumination[Size];
-  float thickness[Size];
-
-  // The place of a sample in the arrays.
-  int At(int i, int j) const
-  {
-    return (j - this->row * SweepThickness::TileHeight) * Width + (i - this->column * Width);
-  }
-
-  template <class Body>
-  void ForEach(Body&& body) const
-  {
-    this->ForRectangle(this->i0, this->i1, this->j0, this->j1, body);
-  }
-
-  template <class Body>
-  void ForEachAsked(Body&& body) const
-  {
-    this->ForRectangle(this->askedI0, this->askedI1, this->askedJ0, this->askedJ1, body);
-  }
-
-private:
-  template <class Body>
-  void ForRectangle(int x0, int x1, int y0, int y1, Body& body) const
-  {
-    for (int j = y0; j < y1; ++j)
-    {
-      int at = this->At(x0, j);
-      for (int i = x0; i < x1; ++i, ++at)
-      {
-        body(i, j, at);
-      }
-    }
-  }
-};
-
 SceneShading::SceneShading(
   const HeightField& field, const Scene& scene, const Target& target, IlluminationCache* cache)
   : Heights(field.GetField())
@@ -142,8 +82,10 @@ SceneShading::SceneShading(
 {
   double ks = scene.specularCoefficient;
   double kf = scene.scatterCoefficient;
-  bool diffuseShows = ks < 1.0 && !IsBlack(scene.diffuse);
-  bool specularShows = ks > 0.0 && !IsBlack(scene.specular);
+  const bool diffuseTexture = !scene.diffuseTextures.empty();
+  const bool specularTexture = !scene.specularTextures.empty();
+  bool diffuseShows = ks < 1.0 && (diffuseTexture || !IsBlack(scene.diffuse));
+  bool specularShows = ks > 0.0 && (specularTexture || !IsBlack(scene.specular));
   this->HasScatter = diffuseShows && kf > 0.0;
 
   bool firstLight = true;
@@ -203,7 +145,10 @@ SceneShading::SceneShading(
   this->HasNormals = hasSpecular || target.normals ||
     (anyTrace && scene.medium.offset == f64::RELIEF_SURFACE_NORMAL);
   this->Effects = (anyNeedsD ? IlluminationEffect : 0) | (this->HasNormals ? NormalsEffect : 0) |
-    (hasSpecular ? SpecularEffect : 0) | (this->HasScatter ? ScatterEffect : 0);
+    (hasSpecular ? SpecularEffect : 0) | (this->HasScatter ? ScatterEffect : 0) |
+    (ks < 1.0 && !scene.baseTextures.empty() ? BaseTextureEffect : 0) |
+    (diffuseTexture && diffuseShows && anyShows ? DiffuseTextureEffect : 0) |
+    (specularTexture && hasSpecular ? SpecularTextureEffect : 0);
 }
 
 // Whether d shows at every sample. Where all the light is scattered forward and none comes this
@@ -259,7 +204,7 @@ void SceneShading::Shade(int i0, int i1, int j0, int j1)
   constexpr int width = SweepThickness::TileWidth;
   constexpr int height = SweepThickness::TileHeight;
   const HeightView<float>& heights = this->Heights.heights;
-  auto tile = std::make_unique<Tile>();
+  auto tile = std::make_unique<SceneTile>();
   for (tile->row = j0 / height; tile->row * height < j1; ++tile->row)
   {
     tile->j0 = tile->row * height;
@@ -277,7 +222,7 @@ void SceneShading::Shade(int i0, int i1, int j0, int j1)
   }
 }
 
-void SceneShading::ShadeTile(Tile& tile)
+void SceneShading::ShadeTile(SceneTile& tile)
 {
   tile.anyData = false;
   tile.ForEach(
@@ -289,11 +234,11 @@ void SceneShading::ShadeTile(Tile& tile)
     });
   const bool hasScatter = this->HasScatter;
   const bool hasSpecular = (this->Effects & SpecularEffect) != 0;
-  std::fill_n(tile.diffuse, Tile::Size, glm::vec3(0.0f));
-  std::fill_n(tile.scatter, hasScatter ? Tile::Size : 0, glm::vec3(0.0f));
-  std::fill_n(tile.specular, hasSpecular ? Tile::Size : 0, glm::vec3(0.0f));
-  std::fill_n(tile.illumination, this->Out.illumination ? Tile::Size : 0, 0.0f);
-  std::fill_n(tile.thickness, this->Out.thickness ? Tile::Size : 0, 0.0f);
+  std::fill_n(tile.diffuse, SceneTile::Size, glm::vec3(0.0f));
+  std::fill_n(tile.scatter, hasScatter ? SceneTile::Size : 0, glm::vec3(0.0f));
+  std::fill_n(tile.specular, hasSpecular ? SceneTile::Size : 0, glm::vec3(0.0f));
+  std::fill_n(tile.illumination, this->Out.illumination ? SceneTile::Size : 0, 0.0f);
+  std::fill_n(tile.thickness, this->Out.thickness ? SceneTile::Size : 0, 0.0f);
   if (this->HasNormals)
   {
     tile.ForEach(
@@ -311,11 +256,15 @@ void SceneShading::ShadeTile(Tile& tile)
       this->AddLight(plan, index, tile);
     }
   }
+  if (tile.anyData)
+  {
+    this->ApplyTextures(tile);
+  }
   this->Write(tile);
 }
 
 // Fills d and r of the wanted samples.
-void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
+void SceneShading::Illuminate(const Plan& plan, std::size_t index, SceneTile& tile)
 {
   auto place = [&](int i, int j)
   { return static_cast<std::size_t>(j - this->Out.j0) * this->Out.width + (i - this->Out.i0); };
@@ -375,12 +324,16 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, Tile& tile)
   }
 }
 
-void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
+void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile)
 {
   const float ks = static_cast<float>(this->Parameters.specularCoefficient);
   const float kf = static_cast<float>(this->Parameters.scatterCoefficient);
-  const glm::vec3 diffuse(this->Parameters.diffuse);
-  const glm::vec3 specular(this->Parameters.specular);
+  // A textured colour is the same for all lights: their sum is multiplied by it.
+  const glm::vec3 white(1.0f);
+  const glm::vec3 diffuse =
+    this->Effects & DiffuseTextureEffect ? white : glm::vec3(this->Parameters.diffuse);
+  const glm::vec3 specular =
+    this->Effects & SpecularTextureEffect ? white : glm::vec3(this->Parameters.specular);
   const bool hasSpecular = (this->Effects & SpecularEffect) && plan.shows;
   const bool hasScatter = this->HasScatter && plan.shows;
   const HeightView<float>& heights = this->Heights.heights;
@@ -415,8 +368,8 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
     });
   if (!plan.trace || !anyWanted || !plan.sweep)
   {
-    std::fill_n(tile.d, Tile::Size, 0.0f);
-    std::fill_n(tile.r, Tile::Size, std::numeric_limits<float>::infinity());
+    std::fill_n(tile.d, SceneTile::Size, 0.0f);
+    std::fill_n(tile.r, SceneTile::Size, std::numeric_limits<float>::infinity());
   }
   if (plan.trace && anyWanted)
   {
@@ -425,7 +378,7 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
 
   if (plan.thickness)
   {
-    std::copy_n(tile.r, Tile::Size, tile.thickness);
+    std::copy_n(tile.r, SceneTile::Size, tile.thickness);
   }
   if (this->Out.illumination)
   {
@@ -457,7 +410,48 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, Tile& tile)
   }
 }
 
-void SceneShading::Write(const Tile& tile)
+// Finds the textured colours and multiplies what the lights gave by them.
+void SceneShading::ApplyTextures(SceneTile& tile)
+{
+  auto cover =
+    [&](const glm::dvec3& constant, const std::vector<ColorTexture>& textures, glm::vec3* colors)
+  {
+    std::fill_n(colors, SceneTile::Size, glm::vec3(constant));
+    for (const ColorTexture& texture : textures)
+    {
+      for (int j = tile.askedJ0; j < tile.askedJ1; ++j)
+      {
+        texture.Cover(tile.askedI0, tile.askedI1, j, colors + tile.At(tile.askedI0, j));
+      }
+    }
+  };
+  auto multiply = [&](glm::vec3* sums)
+  { tile.ForEachAsked([&](int, int, int at) { sums[at] *= tile.color[at]; }); };
+
+  if (this->Effects & BaseTextureEffect)
+  {
+    const float ks = static_cast<float>(this->Parameters.specularCoefficient);
+    cover(this->Parameters.base, this->Parameters.baseTextures, tile.base);
+    tile.ForEachAsked(
+      [&](int, int, int at) { tile.base[at] = f32::reliefBaseTerm(ks, tile.base[at]); });
+  }
+  if (this->Effects & DiffuseTextureEffect)
+  {
+    cover(this->Parameters.diffuse, this->Parameters.diffuseTextures, tile.color);
+    multiply(tile.diffuse);
+    if (this->HasScatter)
+    {
+      multiply(tile.scatter);
+    }
+  }
+  if (this->Effects & SpecularTextureEffect)
+  {
+    cover(this->Parameters.specular, this->Parameters.specularTextures, tile.color);
+    multiply(tile.specular);
+  }
+}
+
+void SceneShading::Write(const SceneTile& tile)
 {
   static const CodeTable codes;
   const Target& out = this->Out;
@@ -465,6 +459,7 @@ void SceneShading::Write(const Tile& tile)
   const glm::vec3 missing(none);
   const glm::vec3 base = f32::reliefBaseTerm(
     static_cast<float>(this->Parameters.specularCoefficient), glm::vec3(this->Parameters.base));
+  const glm::vec3* bases = this->Effects & BaseTextureEffect ? tile.base : nullptr;
   const bool hasScatter = this->HasScatter;
   const bool hasSpecular = (this->Effects & SpecularEffect) != 0;
   auto place = [&](int i, int j)
@@ -473,7 +468,7 @@ void SceneShading::Write(const Tile& tile)
   tile.ForEachAsked(
     [&](int i, int j, int at)
     {
-      glm::vec3 color = base + tile.diffuse[at];
+      glm::vec3 color = (bases ? bases[at] : base) + tile.diffuse[at];
       if (hasScatter)
       {
         color += tile.scatter[at];
@@ -525,7 +520,7 @@ void SceneShading::Write(const Tile& tile)
   writeNumbers(out.illumination, tile.illumination, scale);
   writeNumbers(out.thickness, tile.thickness, 1.0f);
   writeVectors(out.normals, tile.normals, missing);
-  writeVectors(out.base, nullptr, base);
+  writeVectors(out.base, bases, base);
   writeVectors(out.diffuse, tile.diffuse, missing);
   writeVectors(out.scatter, hasScatter ? tile.scatter : nullptr, glm::vec3(0.0f));
   writeVectors(out.specular, hasSpecular ? tile.specular : nullptr, glm::vec3(0.0f));

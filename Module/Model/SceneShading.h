@@ -2,6 +2,7 @@
 #ifndef SceneShading_h
 #define SceneShading_h
 
+#include "ColorTexture.h"
 #include "HeightField.h"
 #include "IlluminationCache.h"
 #include "RayThickness.h"
@@ -26,6 +27,13 @@ struct Scene
   glm::dvec3 base = glm::dvec3(0.0);
   glm::dvec3 diffuse = glm::dvec3(1.0);
   glm::dvec3 specular = glm::dvec3(1.0);
+  ///@{
+  /// Textures over these colours, the lowest first. One that lies nowhere on the field does not
+  /// belong here: it would count as something that shows.
+  std::vector<ColorTexture> baseTextures;
+  std::vector<ColorTexture> diffuseTextures;
+  std::vector<ColorTexture> specularTextures;
+  ///@}
   double specularCoefficient = 0.0;
   double scatterCoefficient = 0.0;
   f64::ReliefFalloff specularFalloff = { 0.0, 1.0, 1.0 };
@@ -42,7 +50,10 @@ enum Effect
   IlluminationEffect = 1,
   NormalsEffect = 2,
   SpecularEffect = 4,
-  ScatterEffect = 8
+  ScatterEffect = 8,
+  BaseTextureEffect = 16,
+  DiffuseTextureEffect = 32,
+  SpecularTextureEffect = 64
 };
 
 /// Where results go: arrays over a rectangle of samples, row by row. Any may be null, and null
@@ -63,6 +74,8 @@ struct Target
   float* scatter = nullptr;
   float* specular = nullptr;
 };
+
+struct SceneTile;
 
 /// Shades one scene over one field with the effects that the scene calls for. What can be decided
 /// once is decided in the constructor; Shade() may then run on disjoint parts at once.
@@ -110,14 +123,13 @@ private:
     std::shared_ptr<IlluminationCache::Entry> fresh;      ///< d for the next
   };
 
-  struct Tile;
-
   bool NeedsEveryD(const Plan& plan) const;
   void UseCache(Plan& plan, int room);
-  void ShadeTile(Tile& tile);
-  void Illuminate(const Plan& plan, std::size_t index, Tile& tile);
-  void AddLight(const Plan& plan, std::size_t index, Tile& tile);
-  void Write(const Tile& tile);
+  void ShadeTile(SceneTile& tile);
+  void Illuminate(const Plan& plan, std::size_t index, SceneTile& tile);
+  void AddLight(const Plan& plan, std::size_t index, SceneTile& tile);
+  void ApplyTextures(SceneTile& tile);
+  void Write(const SceneTile& tile);
 
   Field<float> Heights;
   std::uint64_t FieldVersion;

@@ -141,17 +141,34 @@ TEST(ModelFunctions, IntegratedEquation)
   }
 }
 
-// Decoding by IEC 61966-2-1 and encoding gives every 8-bit code back.
+// Decoding is IEC 61966-2-1's, and encoding gives every code of 8 and 16 bits back.
+template <class Real, class Encode, class Decode>
+void TestCodes(Encode&& encode, Decode&& decode, double bound)
+{
+  for (int most : { 255, 65535 })
+  {
+    for (int code = 0; code <= most; ++code)
+    {
+      const double share = static_cast<double>(code) / most;
+      const double linear =
+        share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+      const Real decoded = decode(static_cast<Real>(share));
+      ASSERT_NEAR(decoded, linear, bound);
+      ASSERT_EQ(std::lround(encode(decoded) * static_cast<Real>(most)), code);
+    }
+  }
+}
+
 TEST(ModelFunctions, Encoding)
 {
-  for (int code = 0; code < 256; ++code)
-  {
-    double share = code / 255.0;
-    double linear = share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-    EXPECT_NEAR(255.0 * reliefEncode(linear), code, 1e-4);
-    EXPECT_NEAR(255.0f * relief::f32::reliefEncode(static_cast<float>(linear)),
-      static_cast<float>(code), 1e-3);
-  }
+  TestCodes<double>([](double c) { return reliefEncode(c); },
+    [](double c) { return reliefDecode(c); },
+    1e-7); // the constants are single precision
+  TestCodes<float>([](float c) { return relief::f32::reliefEncode(c); },
+    [](float c) { return relief::f32::reliefDecode(c); }, 1e-6);
+  EXPECT_EQ(reliefDecode(-0.5), 0.0);
+  EXPECT_EQ(reliefDecode(1.5), 1.0);
+  EXPECT_EQ(relief::f32::reliefDecode(1.0f), 1.0f);
   EXPECT_NEAR(reliefEncode(0.18), 0.461356, 1e-6); // mid grey
   EXPECT_NEAR(reliefEncode(0.0031308), 12.92 * 0.0031308, 1e-7);
   EXPECT_EQ(reliefEncode(-1.0), 0.0);
@@ -159,6 +176,16 @@ TEST(ModelFunctions, Encoding)
   EXPECT_EQ(reliefEncode(7.0), reliefEncode(1.0));
   // The greatest code of 8 bits is 255, not 254 or an overflow.
   EXPECT_EQ(static_cast<int>(relief::f32::reliefEncode(1e30f) * 255.0f + 0.5f), 255);
+}
+
+// A texel over what lies below: alpha 1 hides it, alpha 0 leaves it.
+TEST(ModelFunctions, Over)
+{
+  const glm::dvec3 texel(0.25, 0.5, 0.125);
+  const glm::dvec3 below(0.5, 2.0, 1.0);
+  EXPECT_EQ(reliefOver(texel, 1.0, below), texel);
+  EXPECT_EQ(reliefOver(glm::dvec3(0.0), 0.0, below), below);
+  EXPECT_EQ(reliefOver(texel, 0.5, below), glm::dvec3(0.5, 1.5, 0.625));
 }
 
 // The share of [0, 1] in which a + (b - a) u + c u (u - 1) > 0, against the same in long double.

@@ -79,5 +79,6 @@ void main()
     reliefDiffuseTerm(coefficients.x, coefficients.y, d, l, n) +
     reliefScatterTerm(coefficients.x, coefficients.y, f, d, l, n) +
     reliefSpecularTerm(coefficients.x, s, l, n);
+  sum = reliefOver(vec3(reliefDecode(sum.x)), s, sum);
   color = vec4(reliefEncode(sum.x), reliefEncode(sum.y), reliefEncode(sum.z), 1.0);
 }

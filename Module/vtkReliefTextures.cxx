@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefTextures.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkReliefConversion.h"
+#include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iomanip>
+#include <new>
+#include <sstream>
+
+namespace
+{
+struct Kind
+{
+  const char* what;
+  int effect;
+  std::vector<relief::ColorTexture> relief::Scene::*textures;
+};
+constexpr Kind Kinds[] = { { "diffuse texture", relief::DiffuseTextureEffect,
+                             &relief::Scene::diffuseTextures },
+  { "base texture", relief::BaseTextureEffect, &relief::Scene::baseTextures },
+  { "specular texture", relief::SpecularTextureEffect, &relief::Scene::specularTextures } };
+
+// Where an image lies, in words.
+std::string Bounds(vtkImageData* image)
+{
+  const double* bounds = image->GetBounds();
+  std::ostringstream text;
+  text << std::setprecision(10) << "(" << bounds[0] << ", " << bounds[1] << ", " << bounds[2]
+       << ", " << bounds[3] << ")";
+  return text.str();
+}
+
+// Makes a texture of an image and leaves its place open. Returns an empty text, or what is wrong.
+std::string Convert(
+  vtkImageData* image, vtkDataArray* scalars, const char* what, relief::ColorTexture& result)
+{
+  std::string wrong = vtkReliefCheckImage(image, scalars, what);
+  vtkReliefImageFrame frame;
+  if (wrong.empty())
+  {
+    wrong = frame.Assign(image);
+    wrong = wrong.empty() ? wrong : std::string("the ") + what + " image: " + wrong;
+  }
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  std::ostringstream message;
+  switch (scalars->GetDataType())
+  {
+    case VTK_UNSIGNED_CHAR:
+      result.type = relief::ColorTexture::Type::Byte;
+      break;
+    case VTK_UNSIGNED_SHORT:
+      result.type = relief::ColorTexture::Type::Short;
+      break;
+    case VTK_FLOAT:
+      result.type = relief::ColorTexture::Type::Float;
+      break;
+    case VTK_DOUBLE:
+      result.type = relief::ColorTexture::Type::Double;
+      break;
+    default:
+      message << "the " << what << " scalars are of type " << scalars->GetDataTypeAsString()
+              << "; unsigned char or unsigned short (sRGB), float or double (linear) is expected";
+      return message.str();
+  }
+  result.components = scalars->GetNumberOfComponents();
+  if (result.components > 4)
+  {
+    message << "the " << what << " image has " << result.components
+            << " components, 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha) are expected";
+    return message.str();
+  }
+  result.texels = scalars->GetVoidPointer(0);
+  result.columns = image->GetDimensions()[0];
+  result.rows = image->GetDimensions()[1];
+  return std::string();
+}
+
+// Places a texture where its image lies in the world. Where their planes differ, each sample is
+// projected along the texture's normal.
+void Place(vtkImageData* heights, vtkImageData* image, relief::ColorTexture& result)
+{
+  double toTexture[9];
+  vtkMatrix3x3::Invert(image->GetDirectionMatrix()->GetData(), toTexture);
+  const int* extent = image->GetExtent();
+  auto texels = [&](const double world[3])
+  {
+    double local[3];
+    vtkMatrix3x3::MultiplyPoint(toTexture, world, local);
+    return glm::dvec2(local[0] / image->GetSpacing()[0], local[1] / image->GetSpacing()[1]);
+  };
+
+  const double* direction = heights->GetDirectionMatrix()->GetData();
+  const double* spacing = heights->GetSpacing();
+  const double columnStep[3] = { direction[0] * spacing[0], direction[3] * spacing[0],
+    direction[6] * spacing[0] };
+  const double rowStep[3] = { direction[1] * spacing[1], direction[4] * spacing[1],
+    direction[7] * spacing[1] };
+  // The origins' difference first: on a map it is far smaller than they are.
+  const int* first = heights->GetExtent();
+  double offset[3];
+  // A slice that is the first one needs no spacing across.
+  const double across = first[4] == 0 ? 0.0 : spacing[2] * first[4];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    offset[axis] =
+      heights->GetOrigin()[axis] - image->GetOrigin()[axis] + direction[3 * axis + 2] * across;
+  }
+  result.alongI = texels(columnStep);
+  result.alongJ = texels(rowStep);
+  result.origin = texels(offset) + static_cast<double>(first[0]) * result.alongI +
+    static_cast<double>(first[2]) * result.alongJ - glm::dvec2(extent[0], extent[2]);
+}
+
+// Places a texture so that it covers the whole of the heights from edge to edge.
+void Stretch(const vtkReliefTextureInput& heights, const vtkReliefTextureInput& texture,
+  relief::ColorTexture& result)
+{
+  glm::dvec2 origin;
+  glm::dvec2 scale;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int at = 2 * axis;
+    scale[axis] = static_cast<double>(texture.whole[at + 1] - texture.whole[at] + 1) /
+      (heights.whole[at + 1] - heights.whole[at] + 1);
+    origin[axis] = (heights.image->GetExtent()[at] - heights.whole[at] + 0.5) * scale[axis] - 0.5 +
+      texture.whole[at] - texture.image->GetExtent()[at];
+  }
+  result.origin = origin;
+  result.alongI = glm::dvec2(scale.x, 0.0);
+  result.alongJ = glm::dvec2(0.0, scale.y);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefTextures::Add(const vtkReliefTextureInput& heights,
+  const std::array<vtkReliefTextureInput, 3>& textures, vtkScalarsToColors* table, bool stretch,
+  vtkObject* reporter, relief::Scene& scene)
+{
+  // With nothing but highlights, no height is coloured.
+  if (table && scene.specularCoefficient < 1.0)
+  {
+    try
+    {
+      scene.diffuseTextures.push_back(this->MapHeights(heights, table));
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Release();
+      return "there is not enough memory for the colours of the lookup table";
+    }
+  }
+  for (std::size_t k = 0; k < textures.size(); ++k)
+  {
+    const vtkReliefTextureInput& input = textures[k];
+    const Kind& kind = Kinds[k];
+    this->Given[k] = Version();
+    if (!input.image)
+    {
+      continue;
+    }
+    relief::ColorTexture texture;
+    const std::string wrong = Convert(input.image, input.scalars, kind.what, texture);
+    if (!wrong.empty())
+    {
+      return wrong;
+    }
+    if (stretch)
+    {
+      Stretch(heights, input, texture);
+    }
+    else
+    {
+      Place(heights.image, input.image, texture);
+    }
+    const int* size = heights.image->GetDimensions();
+    if (texture.Overlaps(-0.5, size[0] - 0.5, -0.5, size[1] - 0.5))
+    {
+      (scene.*kind.textures).push_back(texture);
+      this->Given[k] = Version(input.scalars->GetMTime(), input.scalars);
+    }
+    else if (std::equal(heights.whole, heights.whole + 6, heights.image->GetExtent()) &&
+      std::equal(input.whole, input.whole + 6, input.image->GetExtent()))
+    {
+      vtkWarningWithObjectMacro(reporter,
+        "The " << kind.what << " lies nowhere on the heights: its bounds in x and y are "
+               << Bounds(input.image) << ", theirs " << Bounds(heights.image)
+               << ". The constant colour shows.");
+    }
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefTextures::WarnOfTexels(const relief::Scene& scene, int effects, vtkObject* reporter)
+{
+  for (std::size_t k = 0; k < std::size(Kinds); ++k)
+  {
+    const Kind& kind = Kinds[k];
+    if (this->Given[k] == Version() || this->Given[k] == this->Counted[k] ||
+      !(effects & kind.effect))
+    {
+      continue;
+    }
+    this->Counted[k] = this->Given[k];
+    const relief::ColorTexture& texture = (scene.*kind.textures).back();
+    std::atomic<vtkIdType> unusable{ 0 };
+    vtkSMPTools::For(0, texture.rows,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        unusable += static_cast<vtkIdType>(
+          texture.CountUnusable(static_cast<int>(begin), static_cast<int>(end)));
+      });
+    if (unusable > 0)
+    {
+      vtkWarningWithObjectMacro(reporter,
+        "The " << kind.what << " has " << unusable << (unusable == 1 ? " texel" : " texels")
+               << " with negative or non-finite components; these count as 0.");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefTextures::Release()
+{
+  this->Colors = nullptr;
+}
+
+//------------------------------------------------------------------------------
+relief::ColorTexture vtkReliefTextures::MapHeights(
+  const vtkReliefTextureInput& heights, vtkScalarsToColors* table)
+{
+  vtkDataArray* scalars = heights.scalars;
+  table->Build();
+  const auto madeFrom =
+    std::make_tuple(table->GetMTime(), std::max(heights.image->GetMTime(), scalars->GetMTime()),
+      static_cast<void*>(table), static_cast<void*>(scalars));
+  const vtkIdType samples = scalars->GetNumberOfTuples();
+  if (!this->Colors || this->MadeFrom != madeFrom)
+  {
+    this->Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    this->Colors->SetNumberOfComponents(4);
+    this->Colors->SetNumberOfTuples(samples);
+    // On one thread, for tables promise no more. In portions, for which the table needs memory of
+    // its own.
+    char* values = static_cast<char*>(scalars->GetVoidPointer(0));
+    const vtkIdType most = 1 << 20;
+    for (vtkIdType begin = 0; begin < samples; begin += most)
+    {
+      const vtkIdType count = std::min(most, samples - begin);
+      auto portion =
+        vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalars->GetDataType()));
+      portion->SetVoidArray(values + begin * scalars->GetDataTypeSize(), count, 1);
+      auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+        table->MapScalars(portion, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
+      std::copy_n(colors->GetPointer(0), 4 * count, this->Colors->GetPointer(4 * begin));
+    }
+    this->MadeFrom = madeFrom;
+  }
+  relief::ColorTexture tint;
+  tint.texels = this->Colors->GetPointer(0);
+  tint.columns = heights.image->GetDimensions()[0];
+  tint.rows = heights.image->GetDimensions()[1];
+  return tint;
+}
