@@ -131,6 +131,8 @@ def relief(picture, size):
 def main():
     run_example("ShadeTerrain", "shade-terrain.png", HEIGHTS)
     run_example("DrapeTerrain", "drape-terrain.png", HEIGHTS)
+    run_example("TintTerrain", "tint-terrain.png", HEIGHTS)
+    run_example("TextureTerrain", "texture-terrain.png", HEIGHTS)
     run_example("Medallion", "medallion.png")
     run_example("BacklitMedallion", "backlit-medallion.png")
 
