@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 
 #include "ClearSky.h"
+#include "LightSampling.h"
 
 #include <algorithm>
 #include <limits>

@@ -19,10 +19,10 @@
  * one warning counts such texels whenever the image has changed.
  *
  * <b>Cost.</b> Every light that can show is traced: a directional light below the horizon shows
- * only where the relief has a floor, and a black one never. Turning about z with RotationZ keeps
- * the patches in place and changes colours only. The lights are kept until something that they
- * depend on changes. The scene's tolerance is shared out to the lights, so that the colour errs by
- * no more than it times Intensity times the image's mean colour.
+ * only where the relief has a floor, and a black one never. Turning with RotationZ keeps the
+ * patches of Uniform and SolidAngle in place and changes colours only. The lights are kept until
+ * something that they depend on changes. The scene's tolerance is shared out to the lights, so that
+ * the colour errs by no more than it times Intensity times the image's mean colour.
  *
  * A setter that is given a value outside its range reports an error and keeps the old value.
  *
@@ -139,9 +139,8 @@ public:
 
   ///@{
   /**
-   * The number of lights over the whole sphere, of which half are above the horizon but with
-   * Importance. In [1, 65536]; best a multiple of 8, which treats all four sides alike. Default:
-   * 64.
+   * The number of lights over the whole sphere: half of them are above the horizon, with Importance
+   * most. In [1, 65536]; best a multiple of 8, which treats all four sides alike. Default: 64.
    */
   void SetNumberOfSamples(int value);
   vtkGetMacro(NumberOfSamples, int);

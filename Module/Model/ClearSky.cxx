@@ -42,11 +42,6 @@ double Zenith(const double (&k)[3][4], double polar, double turbidity)
   return sum;
 }
 
-double Luminance(const glm::dvec3& rgb)
-{
-  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
-}
-
 // From CIE xyY to linear sRGB, IEC 61966-2-1.
 glm::dvec3 ToRGB(double x, double y, double luminance)
 {

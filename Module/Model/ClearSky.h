@@ -2,7 +2,7 @@
 #ifndef ClearSky_h
 #define ClearSky_h
 
-#include "LightSampling.h"
+#include "RadianceMap.h"
 
 namespace relief
 {

@@ -2,53 +2,15 @@
 #ifndef LightSampling_h
 #define LightSampling_h
 
+#include "RadianceMap.h"
 #include "RayThickness.h"
 
 #include <glm/mat3x3.hpp>
 
-#include <cstddef>
 #include <vector>
 
 namespace relief
 {
-
-/// Radiance from every direction, linear RGB: a latitude-longitude image. Row 0 begins at the
-/// zenith (+z), the last row ends at the nadir; column 0 begins at +x, and the columns run
-/// counter-clockwise seen from above. A texel has one radiance all over.
-class RadianceMap
-{
-public:
-  /// What exceeds it counts as infinite: sums and colours must stay finite in single precision.
-  static constexpr double Largest = 1e30;
-
-  RadianceMap() = default;
-
-  /// A black map; both numbers are at least 1.
-  RadianceMap(int columns, int rows);
-
-  /// Sets a texel. One with a NaN or an infinite channel becomes black, a negative channel becomes
-  /// 0.
-  void Set(int column, int row, const glm::dvec3& radiance);
-
-  /// How many texels Set() had to clean.
-  std::size_t GetCleaned() const { return this->Cleaned; }
-
-  int GetColumns() const { return this->Columns; }
-  int GetRows() const { return this->Rows; }
-  const glm::vec3& At(int column, int row) const
-  {
-    return this->Texels[static_cast<std::size_t>(row) * this->Columns + column];
-  }
-
-  /// The mean over the sphere.
-  glm::dvec3 GetMean() const;
-
-private:
-  int Columns = 0;
-  int Rows = 0;
-  std::vector<glm::vec3> Texels;
-  std::size_t Cleaned = 0;
-};
 
 enum class EnvironmentSampling
 {
@@ -73,14 +35,15 @@ enum class EnvironmentSampling
 ///   "A partition of the unit sphere into regions of equal area and small diameter", ETNA 25
 ///   (2006), does; but the pole has several patches, and where N is a multiple of 8 the pattern
 ///   looks the same after a quarter turn.
-/// - Importance: the patch whose light could err most, its energy times its spread, is cut in two
+/// - Importance: the patch whose light could err most, its energy times its spread (a quarter
+///   of that below the horizon, which seldom shows), is cut in two
 ///   where the spreads of the halves become least, until there are N (variance minimisation:
 ///   K. Viriyothai and P. Debevec, "Variance minimization light probe sampling", SIGGRAPH Posters
 ///   2009, after Debevec's median cut of 2005). The light shines from its patch's centre of
 ///   energy. Black patches give no light, so there may be fewer than N.
 ///
-/// Patches stay where they are while the map turns about its own axis, which then changes
-/// colours only; they lean and turn with everything else.
+/// The pattern does not turn when the map turns about its own axis, so a map that looks the same
+/// after a part of a turn is sampled the same; it leans and turns with everything else.
 std::vector<Light> SampleEnvironment(
   const RadianceMap& map, EnvironmentSampling sampling, int samples, const glm::dmat3& toField);
 

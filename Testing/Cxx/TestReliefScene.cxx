@@ -2,11 +2,15 @@
 // Lights, suns, refusals and modification times of vtkReliefScene.
 #include "vtkReliefScene.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkReliefEnvironment.h"
 #include "vtkReliefMaterial.h"
+#include "vtkReliefStatistics.h"
 
 #include "ReliefTestUtilities.h"
 
@@ -82,6 +86,64 @@ int TestReliefScene(int, char*[])
   CHECK(!changed());
   scene->RemoveAllLights();
   CHECK(changed());
+  vtkNew<vtkReliefEnvironment> environment;
+  scene->SetEnvironment(environment);
+  CHECK(changed() && scene->GetEnvironment() == environment);
+  environment->SetTilt(5.0);
+  CHECK(changed());
+  scene->SetEnvironment(nullptr);
+  CHECK(changed() && !scene->GetEnvironment());
+  environment->SetTilt(6.0);
+  CHECK(!changed());
+  CHECK(scene->GetNumberOfSunSamples() == 16);
+  scene->SetNumberOfSunSamples(4);
+  CHECK(changed());
+
+  // A sun's disc belongs to its light, whatever the scene.
+  vtkLight* disc = scene->AddSun(315.0, 45.0, 0.5);
+  CHECK(changed() && vtkReliefScene::GetAngularDiameter(disc) == 0.5);
+  CHECK(vtkReliefScene::GetAngularDiameter(light) == 0.0);
+  CHECK(vtkReliefScene::GetAngularDiameter(nullptr) == 0.0);
+  scene->SetAngularDiameter(disc, 2.0);
+  CHECK(changed() && vtkReliefScene::GetAngularDiameter(disc) == 2.0);
+  scene->SetAngularDiameter(disc, 2.0);
+  CHECK(!changed());
+  CHECK(disc->GetInformation()->Get(vtkReliefScene::ANGULAR_DIAMETER()) == 2.0);
+
+  // Presets replace what was there.
+  scene->SetLightsToMultidirectional();
+  CHECK(changed() && scene->GetLights()->GetNumberOfItems() == 4 && !scene->GetEnvironment());
+  scene->SetLightsToSkyDome();
+  CHECK(changed() && scene->GetLights()->GetNumberOfItems() == 0 && scene->GetEnvironment());
+  scene->SetLightsToSunAndSky(200.0, 20.0);
+  CHECK(changed() && scene->GetLights()->GetNumberOfItems() == 1 && scene->GetEnvironment());
+  vtkLight* real = vtkLight::SafeDownCast(scene->GetLights()->GetItemAsObject(0));
+  CHECK(vtkReliefScene::GetAngularDiameter(real) == 0.533);
+  CHECK_NEAR(real->GetPosition()[2], std::sin(vtkMath::RadiansFromDegrees(20.0)), 1e-15);
+  CHECK(real->GetDiffuseColor()[0] > real->GetDiffuseColor()[2]);
+
+  // On level ground they give what they say; the disc as much as a point would.
+  vtkNew<vtkImageReliefShading> shading;
+  shading->SetInputData(MakeHeights(3, 3, [](int, int) { return 0.0; }));
+  shading->SetScene(scene);
+  auto level = [&](int c)
+  {
+    shading->Update();
+    return Value(shading->GetOutput(), nullptr, 1, 1, c);
+  };
+  auto luminance = [&]() { return 0.2126 * level(0) + 0.7152 * level(1) + 0.0722 * level(2); };
+  CHECK_NEAR(luminance(), 0.3 + 0.8 * std::sin(vtkMath::RadiansFromDegrees(20.0)), 0.005);
+  scene->SetLightsToSkyDome();
+  CHECK_NEAR(luminance(), 1.0, 1e-5);
+  scene->SetLightsToMultidirectional();
+  CHECK_NEAR(luminance(), 0.5, 1e-6);
+  CHECK(shading->GetStatistics()->GetLightsTraced() == 4);
+  scene->RemoveAllLights();
+  scene->AddSun(10.0, 30.0, 3.0);
+  CHECK_NEAR(level(0), 0.5, 1e-3);
+  CHECK(shading->GetStatistics()->GetLightsTraced() == 4);
+  scene->RemoveAllLights();
+  CHECK(changed());
   scene->SetIntegratorToFixedStep();
   scene->SetIntegratorToFixedStep();
   CHECK(changed());
@@ -98,6 +160,17 @@ int TestReliefScene(int, char*[])
   CHECK(messages.OneError("0"));
   scene->SetNumberOfSteps(1000001);
   CHECK(messages.OneError("1000001"));
+  scene->SetNumberOfSunSamples(0);
+  CHECK(messages.OneError("0"));
+  scene->SetNumberOfSunSamples(4097);
+  CHECK(messages.OneError("4097"));
+  scene->SetAngularDiameter(light, 90.5);
+  CHECK(messages.OneError("90.5"));
+  scene->SetAngularDiameter(nullptr, 1.0);
+  CHECK(messages.OneError("no light"));
+  CHECK(scene->AddSun(315.0, 45.0, -1.0) == nullptr && messages.OneError("-1"));
+  scene->SetLightsToSunAndSky(315.0, -1.0);
+  CHECK(messages.OneError("-1"));
   scene->SetMaterial(nullptr);
   CHECK(messages.OneError("null"));
   scene->AddLight(nullptr);
@@ -109,8 +182,8 @@ int TestReliefScene(int, char*[])
 
   std::ostringstream printed;
   scene->Print(printed);
-  for (const char* name :
-    { "Material", "Lights", "HeightScale", "Integrator", "Tolerance", "NumberOfSteps" })
+  for (const char* name : { "Material", "Lights", "Environment", "HeightScale", "Integrator",
+         "Tolerance", "NumberOfSteps", "NumberOfSunSamples" })
   {
     CHECK(printed.str().find(std::string(name) + ":") != std::string::npos);
   }
