@@ -64,15 +64,26 @@ RELIEF_FN real reliefFalloff(ReliefFalloff falloff, real x)
     return x >= falloff.hi ? real(1.0f) : real(0.0f);
   }
   real share = clamp((x - falloff.lo) / (falloff.hi - falloff.lo), real(0.0f), real(1.0f));
-  // pow(0, 0) is undefined in GLSL; a power of 0 means no falloff at all.
-  return falloff.power == 0.0f ? real(1.0f) : pow(share, falloff.power);
+  // pow(0, 0) is undefined in GLSL; a power of 0 means no falloff at all. Most powers are 1.
+  return falloff.power == 0.0f ? real(1.0f) : falloff.power == 1.0f ? share : pow(share, falloff.power);
 }
 
-// s of section 3.4: the view's mirror image R in the surface, compared with the light direction l.
-RELIEF_FN real reliefSpecularity(ReliefFalloff falloff, real3 n, real3 l)
+// Where reliefFalloff() is 0 for certain.
+RELIEF_FN bool reliefFalloffIsZero(ReliefFalloff falloff, real x)
+{
+  return falloff.hi > falloff.lo && falloff.power > 0.0f ? x <= falloff.lo : x < falloff.hi;
+}
+
+// R * l of section 3.4: the view's mirror image R in the surface, compared with the light direction l.
+RELIEF_FN real reliefMirror(real3 n, real3 l)
 {
   real twice = 2.0f * n.z;
-  return reliefFalloff(falloff, twice * n.x * l.x + twice * n.y * l.y + (twice * n.z - 1.0f) * l.z);
+  return twice * n.x * l.x + twice * n.y * l.y + (twice * n.z - 1.0f) * l.z;
+}
+
+RELIEF_FN real reliefSpecularity(ReliefFalloff falloff, real3 n, real3 l)
+{
+  return reliefFalloff(falloff, reliefMirror(n, l));
 }
 
 // f of section 3.3.1.1: the eye looks along -z, so light from behind scatters toward it.

@@ -25,6 +25,16 @@ f32::ReliefFalloff ToSingle(const f64::ReliefFalloff& falloff)
     static_cast<float>(falloff.power) };
 }
 
+// Adds a colour times a number to all samples of a tile, also those without data, where any number
+// may stand.
+void AddTo(glm::vec3* sums, const float* factors, const glm::vec3& color)
+{
+  for (int at = 0; at < SceneTile::Size; ++at)
+  {
+    sums[at] += factors[at] * color;
+  }
+}
+
 // 8-bit codes of linear values, the same as rounding reliefEncode(): every code's range begins
 // where the curve passes half a code below it, and a table says from which code to look.
 class CodeTable
@@ -99,7 +109,6 @@ SceneShading::SceneShading(
     plan.radiance = glm::vec3(light.color * (light.intensity * light.weight));
     plan.share = static_cast<float>(light.intensity * light.weight);
     bool lit = plan.share != 0.0f && !IsBlack(light.color);
-    plan.shows = lit && (diffuseShows || specularShows);
     plan.thickness = target.thickness && firstLight;
     plan.medium = scene.medium;
     plan.medium.tolerance = plan.thickness ? 0.0 : scene.medium.tolerance * light.toleranceScale;
@@ -108,6 +117,8 @@ SceneShading::SceneShading(
     bool neverLit = plan.directional && light.vector.z < 0.0 && !scene.medium.useFloor &&
       scene.integrator == Integrator::Exact;
     plan.trace = plan.needsD && (!neverLit || plan.thickness);
+    plan.shows = lit && (specularShows || (diffuseShows && !neverLit));
+    plan.scatterFactor = f32::reliefForwardScatter(this->ScatterFalloff, plan.vector);
     if (scene.integrator == Integrator::FixedStep && plan.directional)
     {
       plan.light =
@@ -251,7 +262,7 @@ void SceneShading::ShadeTile(SceneTile& tile)
   for (std::size_t index = 0; tile.anyData && index < this->Plans.size(); ++index)
   {
     const Plan& plan = this->Plans[index];
-    if (plan.shows || plan.needsD)
+    if (plan.shows || plan.trace)
     {
       this->AddLight(plan, index, tile);
     }
@@ -338,22 +349,18 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
   const bool hasScatter = this->HasScatter && plan.shows;
   const HeightView<float>& heights = this->Heights.heights;
 
-  if (hasSpecular || hasScatter)
+  if (!plan.directional && (hasSpecular || hasScatter))
   {
     tile.ForEach(
       [&](int i, int j, int at)
       {
-        tile.toLight[at] = plan.vector;
-        if (!plan.directional && tile.hasData[at])
+        if (tile.hasData[at])
         {
           f32::reliefRay(this->Heights, this->Medium, i, j, tile.normals[at],
             LightFrom<float>(plan.light, i * heights.spacingX, j * heights.spacingY), true,
             tile.toLight[at]);
-        }
-        if (hasScatter)
-        {
           tile.scatterFactor[at] =
-            f32::reliefForwardScatter(this->ScatterFalloff, tile.toLight[at]);
+            hasScatter ? f32::reliefForwardScatter(this->ScatterFalloff, tile.toLight[at]) : 0.0f;
         }
       });
   }
@@ -363,7 +370,8 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
   tile.ForEach(
     [&](int, int, int at)
     {
-      tile.wanted[at] = tile.hasData[at] && (everyD || tile.scatterFactor[at] > 0.0f);
+      const float factor = plan.directional ? plan.scatterFactor : tile.scatterFactor[at];
+      tile.wanted[at] = tile.hasData[at] && (everyD || factor > 0.0f);
       anyWanted |= tile.wanted[at] != 0;
     });
   if (!plan.trace || !anyWanted || !plan.sweep)
@@ -389,8 +397,13 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
     return;
   }
   const glm::vec3 full = f32::reliefDiffuseTerm(ks, kf, 1.0f, plan.radiance, diffuse);
-  tile.ForEach([&](int, int, int at) { tile.diffuse[at] += tile.d[at] * full; });
-  if (hasScatter)
+  AddTo(tile.diffuse, tile.d, full);
+  if (hasScatter && plan.directional)
+  {
+    AddTo(tile.scatter, tile.d,
+      f32::reliefScatterTerm(ks, kf, plan.scatterFactor, 1.0f, plan.radiance, diffuse));
+  }
+  else if (hasScatter)
   {
     tile.ForEach(
       [&](int, int, int at)
@@ -404,8 +417,13 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
     tile.ForEach(
       [&](int, int, int at)
       {
-        float s = f32::reliefSpecularity(this->SpecularFalloff, tile.normals[at], tile.toLight[at]);
-        tile.specular[at] += f32::reliefSpecularTerm(ks, s, plan.radiance, specular);
+        const glm::vec3& l = plan.directional ? plan.vector : tile.toLight[at];
+        const float mirror = f32::reliefMirror(tile.normals[at], l);
+        if (!f32::reliefFalloffIsZero(this->SpecularFalloff, mirror))
+        {
+          const float s = f32::reliefFalloff(this->SpecularFalloff, mirror);
+          tile.specular[at] += f32::reliefSpecularTerm(ks, s, plan.radiance, specular);
+        }
       });
   }
 }

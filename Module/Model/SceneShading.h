@@ -112,6 +112,7 @@ private:
     f32::ReliefMedium single; ///< the same in single precision
     glm::vec3 vector;         ///< toward it, for a directional light's highlight and scattering
     bool directional;         ///< as the scene has it
+    float scatterFactor;      ///< of a directional light
     glm::vec3 radiance;       ///< weight, intensity and colour
     float share;              ///< weight and intensity, for the mean illumination
     bool shows;               ///< it brightens something
