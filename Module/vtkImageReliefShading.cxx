@@ -163,17 +163,10 @@ void vtkImageReliefShading::SetOutputScalarType(int type)
 }
 
 //------------------------------------------------------------------------------
-void vtkImageReliefShading::SetMaximumCachedLights(int lights)
+void vtkImageReliefShading::SetCacheMemoryLimit(unsigned long kibibytes)
 {
-  if (lights < 0 || lights > 1000)
-  {
-    vtkErrorMacro("SetMaximumCachedLights: " << lights << " was given, a number in [0, 1000] is "
-                                             << "expected; " << this->MaximumCachedLights
-                                             << " is kept.");
-    return;
-  }
   // What is kept changes no result, so this does not ask for an update.
-  this->MaximumCachedLights = lights;
+  this->CacheMemoryLimit = kibibytes;
 }
 
 //------------------------------------------------------------------------------
@@ -363,7 +356,7 @@ int vtkImageReliefShading::RequestData(
   // Bands of tiles, one after another: between them observers hear of progress, on this thread, and
   // may abort.
   relief::IlluminationCache& cache = this->Internal->Cache;
-  cache.SetLimit(this->MaximumCachedLights);
+  cache.SetLimit(static_cast<std::size_t>(this->CacheMemoryLimit) * 1024);
   std::unique_ptr<relief::SceneShading> shading;
   try
   {
@@ -372,7 +365,7 @@ int vtkImageReliefShading::RequestData(
   catch (const std::bad_alloc&)
   {
     return fail(
-      "there is not enough memory to keep illuminations; SetMaximumCachedLights(0) keeps none");
+      "there is not enough memory to keep illuminations; SetCacheMemoryLimit(0) keeps none");
   }
   textures.WarnOfTexels(parameters, shading->GetEffects(), this);
   const int height = relief::SweepThickness::TileHeight;
@@ -447,7 +440,7 @@ void vtkImageReliefShading::PrintSelf(ostream& os, vtkIndent indent)
   printSwitch("GenerateDiffuse", this->GenerateDiffuse);
   printSwitch("GenerateScatter", this->GenerateScatter);
   printSwitch("GenerateSpecular", this->GenerateSpecular);
-  os << indent << "MaximumCachedLights: " << this->MaximumCachedLights << "\n";
+  os << indent << "CacheMemoryLimit: " << this->CacheMemoryLimit << "\n";
   os << indent << "Statistics:\n";
   this->Internal->Statistics->PrintSelf(os, indent.GetNextIndent());
 }

@@ -184,12 +184,14 @@ public:
 
   ///@{
   /**
-   * For how many lights the illumination is kept between updates: while only colours, intensities,
-   * coefficients or falloffs change, no ray is traced again, and when one light moves, only that
-   * light's. Takes 4 bytes a sample and light. In [0, 1000]; 0 keeps none. Default: 4.
+   * The most memory for illuminations that are kept between updates, in kibibytes: while only
+   * colours, intensities, coefficients or falloffs change, no ray of these lights is traced again,
+   * and when one light moves, only that light's. A light takes 4 bytes a sample, so the default
+   * keeps 64 lights of 1024 x 1024 samples, or 4 of 4096 x 4096; the first lights are kept. 0 keeps
+   * none. Default: 262144, which is 256 MiB.
    */
-  void SetMaximumCachedLights(int lights);
-  vtkGetMacro(MaximumCachedLights, int);
+  void SetCacheMemoryLimit(unsigned long kibibytes);
+  vtkGetMacro(CacheMemoryLimit, unsigned long);
   ///@}
 
   /**
@@ -231,7 +233,7 @@ protected:
   bool GenerateDiffuse = false;
   bool GenerateScatter = false;
   bool GenerateSpecular = false;
-  int MaximumCachedLights = 4;
+  unsigned long CacheMemoryLimit = 262144;
 
 private:
   vtkImageReliefShading(const vtkImageReliefShading&) = delete;

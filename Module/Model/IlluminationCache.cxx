@@ -29,8 +29,17 @@ std::shared_ptr<const IlluminationCache::Entry> IlluminationCache::Find(const Ke
 
 void IlluminationCache::Keep(std::vector<std::shared_ptr<const Entry>> used)
 {
-  this->Entries = std::move(used);
-  this->Entries.resize(std::min(this->Entries.size(), static_cast<std::size_t>(this->Limit)));
+  this->Entries.clear();
+  std::size_t size = 0;
+  for (std::shared_ptr<const Entry>& entry : used)
+  {
+    size += SizeOf(entry->key);
+    if (size > this->Limit)
+    {
+      return;
+    }
+    this->Entries.push_back(std::move(entry));
+  }
 }
 
 }

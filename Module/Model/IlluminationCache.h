@@ -5,6 +5,7 @@
 #include "HeightField.h"
 #include "RayThickness.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -44,10 +45,17 @@ public:
   };
 
   ///@{
-  /// The number of lights kept at most; 0 keeps none.
-  void SetLimit(int lights) { this->Limit = lights; }
-  int GetLimit() const { return this->Limit; }
+  /// The most memory that is kept, in bytes; 0 keeps nothing.
+  void SetLimit(std::size_t bytes) { this->Limit = bytes; }
+  std::size_t GetLimit() const { return this->Limit; }
   ///@}
+
+  /// What an entry takes, in bytes.
+  static std::size_t SizeOf(const Key& key)
+  {
+    return static_cast<std::size_t>(key.columns) * key.rows * (key.thickness ? 2 : 1) *
+      sizeof(float);
+  }
 
   /// What is kept for a key, or null.
   std::shared_ptr<const Entry> Find(const Key& key) const;
@@ -57,7 +65,7 @@ public:
 
 private:
   std::vector<std::shared_ptr<const Entry>> Entries;
-  int Limit = 0;
+  std::size_t Limit = 0;
 };
 
 }

@@ -99,7 +99,7 @@ SceneShading::SceneShading(
   this->HasScatter = diffuseShows && kf > 0.0;
 
   bool firstLight = true;
-  int cached = 0;
+  std::size_t cached = 0;
   for (const Light& light : scene.lights)
   {
     Plan plan;
@@ -130,8 +130,7 @@ SceneShading::SceneShading(
     }
     if (plan.trace && cache && this->NeedsEveryD(plan))
     {
-      this->UseCache(plan, cache->GetLimit() - cached);
-      cached += plan.kept || plan.fresh ? 1 : 0;
+      this->UseCache(plan, cached);
     }
     if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact &&
       field.GetMissingRow() && SweepThickness::Applies(scene.medium, light))
@@ -169,8 +168,9 @@ bool SceneShading::NeedsEveryD(const Plan& plan) const
   return plan.thickness || this->Out.illumination || this->Parameters.scatterCoefficient < 1.0;
 }
 
-// Finds a light's illumination in the cache, or makes room to keep it there.
-void SceneShading::UseCache(Plan& plan, int room)
+// Finds a light's illumination in the cache, or makes room to keep it there beside what is kept of
+// the lights before it.
+void SceneShading::UseCache(Plan& plan, std::size_t& cached)
 {
   IlluminationCache::Key key;
   key.field = this->FieldVersion;
@@ -184,7 +184,8 @@ void SceneShading::UseCache(Plan& plan, int room)
   key.steps = this->Parameters.integrator == Integrator::FixedStep ? this->Parameters.steps : 0;
   key.thickness = plan.thickness;
   plan.kept = this->Cache->Find(key);
-  if (!plan.kept && room > 0)
+  const std::size_t size = IlluminationCache::SizeOf(key);
+  if (!plan.kept && cached + size <= this->Cache->GetLimit())
   {
     const std::size_t samples = static_cast<std::size_t>(key.columns) * key.rows;
     plan.fresh = std::make_shared<IlluminationCache::Entry>();
@@ -192,6 +193,7 @@ void SceneShading::UseCache(Plan& plan, int room)
     plan.fresh->illumination.resize(samples);
     plan.fresh->thickness.resize(key.thickness ? samples : 0);
   }
+  cached += plan.kept || plan.fresh ? size : 0;
 }
 
 void SceneShading::KeepIlluminations()

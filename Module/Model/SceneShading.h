@@ -125,7 +125,7 @@ private:
   };
 
   bool NeedsEveryD(const Plan& plan) const;
-  void UseCache(Plan& plan, int room);
+  void UseCache(Plan& plan, std::size_t& cached);
   void ShadeTile(SceneTile& tile);
   void Illuminate(const Plan& plan, std::size_t index, SceneTile& tile);
   void AddLight(const Plan& plan, std::size_t index, SceneTile& tile);

@@ -57,7 +57,7 @@ void TestDefaults()
   for (const char* name :
     { "Scene", "NoDataValue", "UseNoDataValue", "OutputScalarType", "GenerateIllumination",
       "GenerateThickness", "GenerateNormals", "GenerateBase", "GenerateDiffuse", "GenerateScatter",
-      "GenerateSpecular", "MaximumCachedLights", "Statistics" })
+      "GenerateSpecular", "CacheMemoryLimit", "Statistics" })
   {
     CHECK(printed.str().find(std::string(name) + ":") != std::string::npos);
   }
