@@ -351,7 +351,6 @@ int TestLights()
   Lit lit(MakeHeights(80, 60, [](int i, int j) { return 0.1 * Hills(3)(i, j); }), Lopsided());
   vtkReliefScene* scene = lit.Shading->GetScene();
   vtkReliefStatistics* statistics = lit.Shading->GetStatistics();
-  lit.Shading->SetMaximumCachedLights(64);
   vtkNew<vtkImageData> once;
   once->DeepCopy(lit.Update());
   CHECK(statistics->GetLightsTraced() == 32); // of 64, those above the horizon
