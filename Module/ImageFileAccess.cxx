@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFileAccess.h"
 
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkType.h"
 
 #include <vtksys/SystemInformation.hxx>
@@ -92,6 +95,31 @@ unsigned long Guard(const std::function<void()>& step, std::string& reason)
     reason = "an unknown exception was thrown";
   }
   return vtkErrorCode::UnknownError;
+}
+
+//------------------------------------------------------------------------------
+void CheckImage(const std::string& fileName, vtkImageData* image)
+{
+  if (fileName.empty())
+  {
+    throw Failure(vtkErrorCode::NoFileNameError, "no file name is set");
+  }
+  if (!image || image->GetNumberOfPoints() < 1)
+  {
+    throw Failure(vtkErrorCode::UnknownError, "the input image is empty");
+  }
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfTuples() < image->GetNumberOfPoints())
+  {
+    throw Failure(vtkErrorCode::UnknownError, "the input image has no scalars");
+  }
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  if (dimensions[2] != 1)
+  {
+    throw Failure(vtkErrorCode::UnknownError,
+      "the input image has " + std::to_string(dimensions[2]) + " slices; one is written");
+  }
 }
 
 //------------------------------------------------------------------------------

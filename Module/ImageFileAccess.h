@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <string>
 
+class vtkImageData;
+
 namespace relief::io
 {
 /// Why a file cannot be read or written; it ends in one message, at the boundary to VTK.
@@ -42,6 +44,9 @@ std::string OneLine(const std::string& text);
 /// UserError after Aborted, UnknownError for anything else that was thrown. The reason is empty
 /// unless there is an error to report.
 unsigned long Guard(const std::function<void()>& step, std::string& reason);
+
+/// Throws a Failure unless there is a name, and one slice of points with scalars to write under it.
+void CheckImage(const std::string& fileName, vtkImageData* image);
 
 /// The type of VTK that holds numbers of a type of OpenImageIO, half as float; VTK_VOID where there
 /// is none.

@@ -29,6 +29,7 @@ namespace
 {
 using OIIO::TypeDesc;
 using relief::io::Aborted;
+using relief::io::CheckImage;
 using relief::io::Failure;
 using relief::io::FileType;
 using relief::io::Guard;
@@ -285,38 +286,19 @@ OIIO::ImageSpec FileSpec(const Job& job, const std::string& format)
   return spec;
 }
 
-void CheckInput(const Job& job)
+void CheckScalarType(vtkDataArray* scalars)
 {
-  if (job.FileName.empty())
-  {
-    throw Failure(vtkErrorCode::NoFileNameError, "no file name is set");
-  }
-  if (!job.Image || job.Image->GetNumberOfPoints() < 1)
-  {
-    throw Failure(vtkErrorCode::UnknownError, "the input image is empty");
-  }
-  vtkDataArray* scalars = job.Image->GetPointData()->GetScalars();
-  if (!scalars || scalars->GetNumberOfTuples() < job.Image->GetNumberOfPoints())
-  {
-    throw Failure(vtkErrorCode::UnknownError, "the input image has no scalars");
-  }
   if (FileType(scalars->GetDataType()) == TypeDesc::UNKNOWN)
   {
     throw Failure(vtkErrorCode::UnknownError,
       std::string("the input image has scalars of the type ") + scalars->GetDataTypeAsString());
   }
-  int dimensions[3];
-  job.Image->GetDimensions(dimensions);
-  if (dimensions[2] != 1)
-  {
-    throw Failure(vtkErrorCode::UnknownError,
-      "the input image has " + std::to_string(dimensions[2]) + " slices; one is written");
-  }
 }
 
 void WriteWholeFile(const Job& job)
 {
-  CheckInput(job);
+  CheckImage(job.FileName, job.Image);
+  CheckScalarType(job.Image->GetPointData()->GetScalars());
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(job.FileName);
   if (!output)
   {

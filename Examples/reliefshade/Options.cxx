@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "MessageLog.h"
 #include "OptionParser.h"
+#include "RasterWriter.h"
 
 #include "vtkLight.h"
 #include "vtkReliefMaterial.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -229,6 +231,46 @@ void addMaterialOptions(OptionParser& parser, Options& options)
 }
 
 //------------------------------------------------------------------------------
+bool isLayerName(const std::string& word)
+{
+  const LayerNames& names = layerNames();
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+/// Names of layers, perhaps with an OpenEXR file behind them, whose own name may have commas.
+void setLayers(std::string list, Options& options)
+{
+  const bool file = lowerExtension(list) == ".exr";
+  for (bool more = true; more;)
+  {
+    const std::size_t comma = list.find(',');
+    const std::string name = list.substr(0, comma);
+    more = comma != std::string::npos;
+    if (!isLayerName(name) && file)
+    {
+      break;
+    }
+    if (!isLayerName(name))
+    {
+      std::string names;
+      for (const std::string& known : layerNames())
+      {
+        names += known + ", ";
+      }
+      throw Failure("--layers", "'" + name + "' is none of " + names + "and no OpenEXR file (.exr)",
+        UsageFailure);
+    }
+    options.Layers.push_back(name);
+    list.erase(0, comma + 1);
+  }
+  if (file)
+  {
+    options.LayersFile = list;
+    options.Layers = options.Layers.empty() ? layerNames() : options.Layers;
+  }
+}
+
+//------------------------------------------------------------------------------
 void addRunOptions(OptionParser& parser, Options& options)
 {
   vtkReliefScene* scene = options.Scene;
@@ -258,31 +300,15 @@ void addRunOptions(OptionParser& parser, Options& options)
     { { "auto", [&options] { options.OutputType = VTK_VOID; } },
       { "uint8", [&options] { options.OutputType = VTK_UNSIGNED_CHAR; } },
       { "float", [&options] { options.OutputType = VTK_FLOAT; } } });
-  std::string names;
-  for (const std::string& name : layerNames())
-  {
-    names += (names.empty() ? "" : ",") + name;
-  }
-  parser.Word("--layers", "NAME[,NAME...]",
-    "Writes parts of the result beside OUTPUT, as OUTPUT's name without its extension, a hyphen "
-    "and "
-    "the layer's name: OpenEXR if OUTPUT is, else TIFF, 32-bit float, NaN where there is no data. "
+  parser.Word("--layers", "NAME[,NAME...]|[NAME,...]FILE.exr",
+    "Writes parts of the result. As names: each beside OUTPUT, as OUTPUT's name without its "
+    "extension, a hyphen and the layer's name: OpenEXR if OUTPUT is, else TIFF, 32-bit float, NaN "
+    "where there is no data. As an OpenEXR file: linear colour and the layers named before it, or "
+    "all, in this one file, named as compositing programs expect; OUTPUT may be left out then. "
     "illumination: share of the light that gets through; thickness: length of the first light's "
-    "way "
-    "inside the material; normals: unit surface normals; base, diffuse, scatter, specular: linear "
-    "colours that sum to the result",
-    [&options, names](const std::string& list)
-    {
-      for (const std::string& name : split(list))
-      {
-        const auto& known = layerNames();
-        if (std::find(known.begin(), known.end(), name) == known.end())
-        {
-          throw Failure("--layers", "'" + name + "' is none of " + names, UsageFailure);
-        }
-        options.Layers.push_back(name);
-      }
-    });
+    "way inside the material; normals: unit surface normals; base, diffuse, scatter, specular: "
+    "linear colours that sum to the result",
+    [&options](const std::string& list) { setLayers(list, options); });
   parser.Flag("--statistics",
     "Prints what was read and done to the standard output, one 'name: value' in a line",
     options.Statistics);
@@ -329,6 +355,7 @@ const char* const Footer =
   "  reliefshade terrain.tif shaded.tif\n"
   "  reliefshade terrain.tif shaded.png --sun 315,30 --sun 45,60,0.3 --depth 200\n"
   "  reliefshade grid.asc shaded.exr --degrees --layers illumination,normals\n"
+  "  reliefshade terrain.tif --layers comp.exr --ks 0.2\n"
   "  reliefshade relief.png wax.png --height-scale 0.01 --kf 0.5 --point 100,200,80";
 
 //------------------------------------------------------------------------------
@@ -341,14 +368,6 @@ std::string HelpFormatter::make_usage(const CLI::App*, std::string) const
 
 namespace reliefshade
 {
-
-//------------------------------------------------------------------------------
-const std::vector<std::string>& layerNames()
-{
-  static const std::vector<std::string> names{ "illumination", "thickness", "normals", "base",
-    "diffuse", "scatter", "specular" };
-  return names;
-}
 
 //------------------------------------------------------------------------------
 bool parseOptions(int argc, char* argv[], Options& options)
@@ -398,10 +417,17 @@ bool parseOptions(int argc, char* argv[], Options& options)
       repeated ? message.substr(0, message.find(':')) + ": is given more than once" : message,
       UsageFailure);
   }
-  if (options.Input.empty() || options.Output.empty())
+  if (options.Input.empty() || (options.Output.empty() && options.LayersFile.empty()))
   {
     throw Failure(
       options.Input.empty() ? "INPUT" : "OUTPUT", "is missing; see --help", UsageFailure);
+  }
+  const auto place = [](const std::string& file)
+  { return std::filesystem::absolute(file).lexically_normal(); };
+  if (!options.Output.empty() && !options.LayersFile.empty() &&
+    place(options.Output) == place(options.LayersFile))
+  {
+    throw Failure("--layers", "'" + options.LayersFile + "' is OUTPUT as well", UsageFailure);
   }
   return true;
 }

@@ -2,6 +2,7 @@
 #ifndef Options_h
 #define Options_h
 
+#include "LayersWriter.h"
 #include "RasterReader.h"
 
 #include "vtkNew.h"
@@ -10,7 +11,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace reliefshade
 {
@@ -19,6 +19,7 @@ namespace reliefshade
 struct Options
 {
   std::string Input;
+  /// Empty if only LayersFile is wanted.
   std::string Output;
   std::string Mask;
   ReadOptions Reading;
@@ -31,7 +32,9 @@ struct Options
   /// VTK_FLOAT, VTK_UNSIGNED_CHAR, or VTK_VOID to go by the output's extension.
   int OutputType = VTK_VOID;
   /// Names of layers, of those that layerNames() lists.
-  std::vector<std::string> Layers;
+  LayerNames Layers;
+  /// One OpenEXR file for the colour and these layers; if empty, each layer has a file of its own.
+  std::string LayersFile;
 
   int Threads = 0;
   bool Statistics = false;
@@ -41,9 +44,6 @@ struct Options
 /// Reads the command line. Returns false if it asked for help or the version, which are then
 /// printed. Throws a Failure that names the option.
 bool parseOptions(int argc, char* argv[], Options& options);
-
-/// The layers that can be written, in lower case.
-const std::vector<std::string>& layerNames();
 
 }
 

@@ -25,9 +25,7 @@ using namespace reliefshade;
 //------------------------------------------------------------------------------
 bool isTiff(const std::string& file)
 {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowerExtension(file);
   return extension == ".tif" || extension == ".tiff";
 }
 
@@ -74,6 +72,15 @@ std::string reason(
 
 namespace reliefshade
 {
+
+//------------------------------------------------------------------------------
+std::string lowerExtension(const std::string& file)
+{
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
 
 //------------------------------------------------------------------------------
 RasterWriter::RasterWriter(

@@ -11,6 +11,9 @@ class vtkImageData;
 namespace reliefshade
 {
 
+/// The extension of a file's name with its dot, in lower case.
+std::string lowerExtension(const std::string& file);
+
 /// Writes one file. TIFF gets the georeference, where there is one and the program is built with
 /// GDAL; everything else is vtkOpenImageIOWriter's.
 class RasterWriter

@@ -4,6 +4,7 @@
 // line, RasterReader.h and RasterWriter.h the files; this is what happens between them.
 
 #include "Failure.h"
+#include "LayersWriter.h"
 #include "MessageLog.h"
 #include "Options.h"
 #include "RasterReader.h"
@@ -21,12 +22,12 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace
@@ -90,35 +91,6 @@ void placeLights(const Raster& raster, vtkReliefScene* scene)
 }
 
 //------------------------------------------------------------------------------
-/// The name of a layer's array.
-std::string arrayName(std::string layer)
-{
-  layer[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(layer[0])));
-  return layer;
-}
-
-//------------------------------------------------------------------------------
-void generateLayer(const std::string& layer, vtkImageReliefShading* shading)
-{
-  shading->SetGenerateIllumination(shading->GetGenerateIllumination() || layer == "illumination");
-  shading->SetGenerateThickness(shading->GetGenerateThickness() || layer == "thickness");
-  shading->SetGenerateNormals(shading->GetGenerateNormals() || layer == "normals");
-  shading->SetGenerateBase(shading->GetGenerateBase() || layer == "base");
-  shading->SetGenerateDiffuse(shading->GetGenerateDiffuse() || layer == "diffuse");
-  shading->SetGenerateScatter(shading->GetGenerateScatter() || layer == "scatter");
-  shading->SetGenerateSpecular(shading->GetGenerateSpecular() || layer == "specular");
-}
-
-//------------------------------------------------------------------------------
-std::string lowerExtension(const std::string& file)
-{
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
-//------------------------------------------------------------------------------
 int outputType(const Options& options)
 {
   if (options.OutputType != VTK_VOID)
@@ -126,7 +98,8 @@ int outputType(const Options& options)
     return options.OutputType;
   }
   const std::string extension = lowerExtension(options.Output);
-  const bool linear = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+  const bool linear =
+    options.Output.empty() || extension == ".exr" || extension == ".hdr" || extension == ".pfm";
   return linear ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
 }
 
@@ -139,13 +112,16 @@ std::string layerFile(const Options& options, const std::string& layer)
 }
 
 //------------------------------------------------------------------------------
-/// One of the result's arrays as an image of its own.
-vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string& layer)
+/// Writes each layer to a file of its own.
+void writeLayers(vtkImageData* result, const Options& options, const GeoReference& reference)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->CopyStructure(result);
-  image->GetPointData()->SetScalars(result->GetPointData()->GetArray(arrayName(layer).c_str()));
-  return image;
+  for (const std::string& layer : options.Layers)
+  {
+    const auto image = layerImage(result, layer);
+    RasterWriter(
+      layerFile(options, layer), VTK_FLOAT, image->GetNumberOfScalarComponents(), reference)
+      .Write(image);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -221,7 +197,16 @@ void run(const Options& options)
   placeLights(raster, options.Scene);
 
   const int type = outputType(options);
-  RasterWriter writer(options.Output, type, 4, raster.Reference);
+  std::optional<RasterWriter> writer;
+  if (!options.Output.empty())
+  {
+    writer.emplace(options.Output, type, 4, raster.Reference);
+  }
+  std::optional<LayersWriter> layersWriter;
+  if (!options.LayersFile.empty())
+  {
+    layersWriter.emplace(options.LayersFile);
+  }
 
   setThreads(options.Threads);
   vtkNew<vtkImageReliefShading> shading;
@@ -236,9 +221,10 @@ void run(const Options& options)
   }
   shading->SetScene(options.Scene);
   shading->SetOutputScalarType(type);
-  for (const std::string& layer : options.Layers)
+  generateLayers(options.Layers, shading);
+  if (layersWriter)
   {
-    generateLayer(layer, shading);
+    layersWriter->Prepare(shading);
   }
   watch(shading, terminal() && !options.Quiet);
   const auto start = std::chrono::steady_clock::now();
@@ -250,14 +236,17 @@ void run(const Options& options)
     throw Failure(options.Input, takeError());
   }
 
-  vtkImageData* result = shading->GetOutput();
-  writer.Write(result);
-  for (const std::string& layer : options.Layers)
+  if (writer)
   {
-    const auto image = layerImage(result, layer);
-    RasterWriter(
-      layerFile(options, layer), VTK_FLOAT, image->GetNumberOfScalarComponents(), raster.Reference)
-      .Write(image);
+    writer->Write(shading->GetOutput());
+  }
+  if (layersWriter)
+  {
+    layersWriter->Write(shading, options.Layers, raster.Reference);
+  }
+  else
+  {
+    writeLayers(shading->GetOutput(), options, raster.Reference);
   }
   if (options.Statistics)
   {

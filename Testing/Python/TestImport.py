@@ -7,8 +7,8 @@ import reliefshading
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm
 
-CLASSES = ("vtkImageReliefShading", "vtkOpenImageIOReader", "vtkOpenImageIOWriter",
-           "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
+CLASSES = ("vtkImageReliefShading", "vtkOpenEXRLayerWriter", "vtkOpenImageIOReader",
+           "vtkOpenImageIOWriter", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
 
 
 class TestImport(unittest.TestCase):

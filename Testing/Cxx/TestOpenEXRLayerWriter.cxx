@@ -1,0 +1,803 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkOpenEXRLayerWriter: layers that sum to the colour, names, number types, metadata, refusals,
+// whole files or none. Files are read back by OpenImageIO and checked by OpenEXR.
+#include "vtkOpenEXRLayerWriter.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkLight.h"
+#include "vtkOpenImageIOReader.h"
+#include "vtkReliefMaterial.h"
+#include "vtkReliefScene.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "ImageFileTestUtilities.h"
+
+#include <ImfCheckFile.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
+#include <ImfVecAttribute.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#ifndef _WIN32
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
+namespace
+{
+int Failures = 0;
+std::string Directory;
+
+const float NaN = std::numeric_limits<float>::quiet_NaN();
+const float Infinity = std::numeric_limits<float>::infinity();
+
+/// What OpenEXR's program exrcheck finds. The function returns whether it found damage, though its
+/// header says the opposite; TestWholeFiles sees to it that it does.
+bool IsDamaged(const std::string& name)
+{
+  return Imf::checkOpenEXRFile(name.c_str());
+}
+
+/// A file as OpenImageIO sees it.
+struct Layers
+{
+  explicit Layers(const std::string& name)
+    : Values(ReadFile(name, this->Spec))
+  {
+    CHECK(!this->Values.empty());
+    CHECK(!IsDamaged(name));
+  }
+
+  int Index(const std::string& channel) const
+  {
+    const int index = this->Spec.channelindex(channel);
+    if (index < 0)
+    {
+      std::cout << "there is no channel " << channel << std::endl;
+      ++Failures;
+    }
+    return index;
+  }
+
+  /// A value by the image's indices from its lower left sample.
+  float At(int channel, int i, int j) const
+  {
+    const size_t pixel = static_cast<size_t>(this->Spec.height - 1 - j) * this->Spec.width + i;
+    return channel < 0 || this->Values.empty()
+      ? NaN
+      : this->Values[pixel * this->Spec.nchannels + channel];
+  }
+  float operator()(const std::string& channel, int i, int j) const
+  {
+    return this->At(this->Index(channel), i, j);
+  }
+
+  OIIO::TypeDesc Type(const std::string& channel) const
+  {
+    return this->Spec.channelformat(this->Spec.channelindex(channel));
+  }
+
+  OIIO::ImageSpec Spec;
+  std::vector<float> Values;
+};
+
+/// Hills with a hole, every layer, two lights, extents that begin elsewhere.
+vtkSmartPointer<vtkImageData> MakeShaded(int columns, int rows, vtkReliefScene* scene)
+{
+  const auto hills = Hills(5);
+  auto heights =
+    MakeHeights(columns, rows, [&](int i, int j) { return i == 3 && j == 2 ? NaN : hills(i, j); });
+  heights->SetExtent(7, 6 + columns, -4, rows - 5, 2, 2);
+  heights->SetOrigin(1000.0, 2000.0, 0.0);
+  heights->SetSpacing(2.0, 3.0, 1.0);
+  vtkReliefMaterial* material = scene->GetMaterial();
+  material->SetBaseColor(0.1, 0.05, 0.02);
+  material->SetDiffuseColor(0.9, 0.7, 0.4);
+  material->SetSpecularCoefficient(0.2);
+  material->SetForwardScatterCoefficient(0.3);
+  material->SetSpecularPower(3.0);
+  material->UseFloorOn();
+  material->SetFloorHeight(-5.0);
+  scene->AddSun(310.0, 35.0)->SetDiffuseColor(1.0, 0.9, 0.7);
+  scene->AddSun(120.0, -20.0)->SetIntensity(0.4);
+  vtkNew<vtkImageReliefShading> shading;
+  shading->SetInputData(heights);
+  shading->SetScene(scene);
+  shading->GenerateBaseOn();
+  shading->GenerateDiffuseOn();
+  shading->GenerateScatterOn();
+  shading->GenerateSpecularOn();
+  shading->GenerateIlluminationOn();
+  shading->GenerateThicknessOn();
+  shading->GenerateNormalsOn();
+  shading->Update();
+  return shading->GetOutput();
+}
+
+void WriteGood(vtkOpenEXRLayerWriter* writer, vtkImageData* image, const std::string& name)
+{
+  MessageKeeper messages(writer);
+  const int files = CountFiles(Directory);
+  const bool old = std::filesystem::exists(name);
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  writer->Write();
+  CHECK(writer->GetErrorCode() == vtkErrorCode::NoError && messages.Silent());
+  CHECK(CountFiles(Directory) == files + (old ? 0 : 1));
+}
+
+//------------------------------------------------------------------------------
+// Every sample of every channel is the array's, NaN as 0.
+void CompareWithArrays(const Layers& file, vtkImageData* image)
+{
+  static const std::vector<std::pair<std::string, std::string>> channels = { { "", "RGBA" },
+    { "Base", "RGB" }, { "Diffuse", "RGB" }, { "Scatter", "RGB" }, { "Specular", "RGB" },
+    { "Illumination", "Y" }, { "Thickness", "Z" }, { "Normals", "XYZ" } };
+  int extent[6];
+  image->GetExtent(extent);
+  std::set<std::string> expected;
+  size_t wrong = 0;
+  for (const auto& layer : channels)
+  {
+    for (size_t c = 0; c < layer.second.size(); ++c)
+    {
+      const std::string name = (layer.first.empty() ? "" : layer.first + ".") + layer.second[c];
+      expected.insert(name);
+      const int index = file.Index(name);
+      vtkDataArray* array = layer.first.empty()
+        ? image->GetPointData()->GetScalars()
+        : image->GetPointData()->GetArray(layer.first.c_str());
+      vtkIdType point = 0;
+      for (int j = extent[2]; j <= extent[3]; ++j)
+      {
+        for (int i = extent[0]; i <= extent[1]; ++i)
+        {
+          const auto value = static_cast<float>(array->GetComponent(point++, static_cast<int>(c)));
+          const float stored = file.At(index, i - extent[0], j - extent[2]);
+          wrong += stored != (std::isnan(value) ? 0.0f : value) ? 1 : 0;
+        }
+      }
+    }
+  }
+  CHECK(wrong == 0);
+  const auto& names = file.Spec.channelnames;
+  CHECK(std::set<std::string>(names.begin(), names.end()) == expected);
+  CHECK(file.Spec.x == 0 && file.Spec.y == 0 && file.Spec.full_x == 0 && file.Spec.full_y == 0);
+  CHECK(file.Spec.full_width == file.Spec.width && file.Spec.full_height == file.Spec.height);
+}
+
+// Base, Diffuse, Scatter and Specular sum to the colour: within the roundings of four sums.
+void CheckSums(const Layers& file)
+{
+  double largest = 0.0;
+  bool scatters = false;
+  for (const char* c : { "R", "G", "B" })
+  {
+    const std::string suffix = std::string(".") + c;
+    const int color = file.Index(c);
+    const int base = file.Index("Base" + suffix);
+    const int diffuse = file.Index("Diffuse" + suffix);
+    const int scatter = file.Index("Scatter" + suffix);
+    const int specular = file.Index("Specular" + suffix);
+    for (int j = 0; j < file.Spec.height; ++j)
+    {
+      for (int i = 0; i < file.Spec.width; ++i)
+      {
+        const double sum = static_cast<double>(file.At(base, i, j)) + file.At(diffuse, i, j) +
+          file.At(scatter, i, j) + file.At(specular, i, j);
+        largest = std::max(largest, std::abs(sum - file.At(color, i, j)));
+        scatters = scatters || file.At(scatter, i, j) > 0.0f;
+      }
+    }
+  }
+  CHECK_NEAR(largest, 0.0, 4.0 * std::numeric_limits<float>::epsilon());
+  CHECK(scatters || file.Spec.width == 1);
+}
+
+void TestLayers()
+{
+  const int sizes[][2] = { { 1, 1 }, { 1, 9 }, { 37, 71 }, { 130, 3 }, { 64, 32 } };
+  const std::string name = Directory + "layers.exr";
+  for (const auto& size : sizes)
+  {
+    vtkNew<vtkReliefScene> scene;
+    auto image = MakeShaded(size[0], size[1], scene);
+    for (int compression = vtkOpenEXRLayerWriter::NoCompression;
+         compression < vtkOpenEXRLayerWriter::DWAA; ++compression)
+    {
+      for (int tileSize : { 0, 8, 64 })
+      {
+        vtkNew<vtkOpenEXRLayerWriter> writer;
+        writer->SetCompression(compression);
+        writer->SetTiled(tileSize > 0);
+        writer->SetTileSize(tileSize);
+        WriteGood(writer, image, name);
+        const Layers file(name);
+        CHECK(file.Spec.width == size[0] && file.Spec.height == size[1]);
+        CHECK(file.Spec.tile_width == tileSize && file.Spec.tile_height == tileSize);
+        static const char* const names[] = { "none", "zips", "zip", "piz" };
+        CHECK(file.Spec.get_string_attribute("compression") == names[compression]);
+        CompareWithArrays(file, image);
+        CheckSums(file);
+      }
+    }
+  }
+
+  // More than one band of rows, and the reader of this module, which takes the colour first.
+  vtkNew<vtkReliefScene> scene;
+  auto large = MakeShaded(520, 460, scene);
+  for (bool tiled : { false, true })
+  {
+    vtkNew<vtkOpenEXRLayerWriter> writer;
+    writer->SetTiled(tiled);
+    WriteGood(writer, large, name);
+    CompareWithArrays(Layers(name), large);
+  }
+  vtkNew<vtkOpenImageIOReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  int wrong = 0;
+  for (int c = 0; c < 4; ++c)
+  {
+    wrong += Value(reader->GetOutput(), nullptr, 20, 450, c) != Value(large, nullptr, 27, 446, c);
+  }
+  CHECK(wrong == 0);
+}
+
+//------------------------------------------------------------------------------
+void TestHalf()
+{
+  vtkNew<vtkReliefScene> scene;
+  auto image = MakeShaded(40, 30, scene);
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  writer->SetPixelTypeToHalf();
+  const std::string name = Directory + "half.exr";
+  WriteGood(writer, image, name);
+  const Layers file(name);
+  CHECK(file.Type("R") == OIIO::TypeHalf && file.Type("A") == OIIO::TypeHalf);
+  CHECK(file.Type("Diffuse.G") == OIIO::TypeHalf && file.Type("Normals.Z") == OIIO::TypeHalf);
+  CHECK(file.Type("Thickness.Z") == OIIO::TypeFloat);
+  CHECK(file.Type("Illumination.Y") == OIIO::TypeFloat);
+  double worst = 0.0;
+  for (int j = 0; j < 30; ++j)
+  {
+    for (int i = 0; i < 40; ++i)
+    {
+      const double value = Value(image, nullptr, i + 7, j - 4, 1);
+      // Half a unit in the last of 11 places.
+      worst = std::max(worst, std::abs(file("G", i, j) - value) / std::max(value, 1e-4));
+    }
+  }
+  CHECK(worst > 0.0);
+  CHECK_NEAR(worst, 0.0, 0.5 / 1024.0);
+
+  // What half cannot hold becomes its largest number, and is counted.
+  vtkNew<vtkImageData> bright;
+  bright->SetDimensions(4, 1, 1);
+  bright->AllocateScalars(VTK_FLOAT, 3);
+  auto* values = static_cast<float*>(bright->GetScalarPointer());
+  const float given[12] = { 65504.0f, 65519.0f, 65520.0f, -1e6f, 1e38f, Infinity, -Infinity, NaN,
+    6e-8f, 0.0f, 1.0f, 2049.0f };
+  const float held[12] = { 65504.0f, 65504.0f, 65504.0f, -65504.0f, 65504.0f, Infinity, -Infinity,
+    0.0f, 5.9604645e-8f, 0.0f, 1.0f, 2048.0f };
+  std::copy_n(given, 12, values);
+  MessageKeeper messages(writer);
+  writer->SetInputData(bright);
+  writer->Write();
+  CHECK(writer->GetErrorCode() == vtkErrorCode::NoError);
+  CHECK(messages.OneWarning("4 values are too large"));
+  const std::vector<float>& back = Layers(name).Values;
+  CHECK(std::equal(back.begin(), back.end(), held, held + 12));
+  writer->SetPixelTypeToFloat();
+  writer->Write();
+  CHECK(messages.Silent());
+  CHECK(Layers(name).Values[4] == 1e38f);
+
+  // Float holds less than double does.
+  vtkNew<vtkImageData> precise;
+  precise->SetDimensions(3, 1, 1);
+  precise->AllocateScalars(VTK_DOUBLE, 1);
+  precise->SetScalarComponentFromDouble(0, 0, 0, 0, 0.1);
+  precise->SetScalarComponentFromDouble(1, 0, 0, 0, -1e300);
+  precise->SetScalarComponentFromDouble(2, 0, 0, 0, Infinity);
+  writer->SetInputData(precise);
+  writer->Write();
+  CHECK(messages.OneWarning("1 values are too large"));
+  const Layers doubles(name);
+  CHECK(doubles("Y", 0, 0) == 0.1f && doubles("Y", 2, 0) == Infinity);
+  CHECK(doubles("Y", 1, 0) == -std::numeric_limits<float>::max());
+}
+
+//------------------------------------------------------------------------------
+void TestDWAA()
+{
+  vtkNew<vtkReliefScene> scene;
+  auto image = MakeShaded(200, 150, scene);
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  const std::string name = Directory + "dwaa.exr";
+  auto largestError = [&](const Layers& file, const char* channel, const char* array, int component)
+  {
+    double largest = 0.0;
+    for (int j = 0; j < 150; ++j)
+    {
+      for (int i = 0; i < 200; ++i)
+      {
+        const float value = Value(image, array, i + 7, j - 4, component);
+        const float stored = file(channel, i, j);
+        largest = std::max<double>(
+          largest, std::isnan(value) || value == stored ? 0.0 : std::abs(stored - value));
+      }
+    }
+    return largest;
+  };
+  WriteGood(writer, image, name);
+  const auto zip = std::filesystem::file_size(name);
+  writer->SetCompressionToDWAA();
+  for (bool tiled : { false, true })
+  {
+    writer->SetTiled(tiled);
+    WriteGood(writer, image, name);
+    CHECK(std::filesystem::file_size(name) < zip);
+    const Layers file(name);
+    CHECK(largestError(file, "R", nullptr, 0) > 0.0);
+    CHECK_NEAR(largestError(file, "R", nullptr, 0), 0.0, 0.1);
+    CHECK_NEAR(largestError(file, "Diffuse.G", "Diffuse", 1), 0.0, 0.1);
+    CHECK(largestError(file, "A", nullptr, 3) == 0.0);
+    CHECK(largestError(file, "Thickness.Z", "Thickness", 0) == 0.0);
+    CHECK(largestError(file, "Normals.X", "Normals", 0) == 0.0);
+  }
+  const double usual = largestError(Layers(name), "R", nullptr, 0);
+  const auto usualSize = std::filesystem::file_size(name);
+  writer->SetDWACompressionLevel(500.0);
+  WriteGood(writer, image, name);
+  CHECK(largestError(Layers(name), "R", nullptr, 0) > usual);
+  CHECK(std::filesystem::file_size(name) < usualSize);
+}
+
+//------------------------------------------------------------------------------
+void TestNoData()
+{
+  vtkNew<vtkReliefScene> scene;
+  auto image = MakeShaded(9, 8, scene);
+  // Light from below the horizon never leaves the material, but for the floor.
+  scene->GetMaterial()->UseFloorOff();
+  scene->RemoveAllLights();
+  scene->AddSun(0.0, -30.0);
+  auto dark = MakeShaded(9, 8, scene);
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  const std::string name = Directory + "nodata.exr";
+  WriteGood(writer, image, name);
+  const std::vector<float>& all = Layers(name).Values;
+  CHECK(std::none_of(all.begin(), all.end(), [](float v) { return std::isnan(v); }));
+  writer->SetNoDataValue(-1.5);
+  WriteGood(writer, image, name);
+  const Layers marked(name);
+  CHECK(marked("Diffuse.R", 3, 2) == -1.5f && marked("Thickness.Z", 3, 2) == -1.5f);
+  CHECK(marked("R", 3, 2) == 0.0f && marked("A", 3, 2) == 0.0f && marked("A", 4, 2) == 1.0f);
+  for (bool half : { false, true })
+  {
+    writer->SetNoDataValue(NaN);
+    writer->SetPixelType(half ? vtkOpenEXRLayerWriter::Half : vtkOpenEXRLayerWriter::Float);
+    WriteGood(writer, image, name);
+    const Layers kept(name);
+    CHECK(std::isnan(kept("Diffuse.R", 3, 2)) && std::isnan(kept("Illumination.Y", 3, 2)));
+    CHECK(!std::isnan(kept("Diffuse.R", 2, 2)));
+  }
+  MessageKeeper messages(writer);
+  writer->SetNoDataValue(Infinity);
+  CHECK(messages.OneError("SetNoDataValue: inf") && std::isnan(writer->GetNoDataValue()));
+  const vtkMTimeType time = writer->GetMTime();
+  writer->SetNoDataValue(NaN);
+  CHECK(writer->GetMTime() == time);
+
+  vtkNew<vtkReliefScene> night;
+  night->AddSun(0.0, -30.0);
+  vtkNew<vtkImageReliefShading> shading;
+  shading->SetInputData(MakeHeights(3, 3, [](int, int) { return 1.0; }));
+  shading->SetScene(night);
+  shading->GenerateThicknessOn();
+  shading->Update();
+  WriteGood(writer, shading->GetOutput(), name);
+  CHECK(Layers(name)("Thickness.Z", 1, 1) == Infinity);
+}
+
+//------------------------------------------------------------------------------
+void TestNames()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 2, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  image->GetPointData()->GetScalars()->Fill(0.25);
+  auto add = [&](const char* name, int components)
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(6);
+    array->Fill(0.5);
+    image->GetPointData()->AddArray(array);
+  };
+  add("Mist", 1);
+  add("Overlay", 4);
+  add("Wind", 3);
+  add("Slope", 3);
+  add("light.key", 3);
+  image->GetPointData()->SetActiveVectors("Wind");
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(6);
+  ghosts->Fill(0);
+  image->GetPointData()->AddArray(ghosts);
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  const std::string name = Directory + "names.exr";
+  WriteGood(writer, image, name);
+  const Layers file(name);
+  const std::set<std::string> names(file.Spec.channelnames.begin(), file.Spec.channelnames.end());
+  const std::set<std::string> expected = { "R", "G", "B", "Mist.Y", "Overlay.R", "Overlay.G",
+    "Overlay.B", "Overlay.A", "Wind.X", "Wind.Y", "Wind.Z", "Slope.R", "Slope.G", "Slope.B",
+    "light.key.R", "light.key.G", "light.key.B" };
+  CHECK(names == expected);
+  CHECK(file("Wind.Z", 2, 1) == 0.5f && file("B", 0, 0) == 0.25f);
+}
+
+//------------------------------------------------------------------------------
+void TestMetadata()
+{
+  vtkNew<vtkReliefScene> scene;
+  auto image = MakeShaded(12, 10, scene);
+  vtkLight* off = scene->AddSun(10.0, 10.0);
+  off->SwitchOff();
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->PositionalOn();
+  lamp->SetPosition(1011.5, 2003.25, 77.0);
+  scene->AddLight(lamp);
+  scene->SetHeightScale(1.5);
+  scene->SetTolerance(0.01);
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  writer->SetScene(scene);
+  writer->SetAttribute("owner", "The Alps");
+  writer->SetAttribute("comments",
+    "Gr\xc3\xbc\xc3\x9f"
+    "e");
+  writer->SetAttribute(std::string(100, 'n'), "long");
+  const std::string name = Directory + "metadata.exr";
+  WriteGood(writer, image, name);
+  const Layers file(name);
+  const OIIO::ImageSpec& spec = file.Spec;
+  auto number = [&](const char* attribute) { return spec.get_float_attribute(attribute, NaN); };
+  CHECK(spec.get_int_attribute("relief:lights") == 3);
+  CHECK_NEAR(number("relief:light1:azimuth"), 310.0, 1e-4);
+  CHECK_NEAR(number("relief:light1:altitude"), 35.0, 1e-5);
+  CHECK_NEAR(number("relief:light2:azimuth"), 120.0, 1e-5);
+  CHECK_NEAR(number("relief:light2:altitude"), -20.0, 1e-5);
+  CHECK(number("relief:light2:intensity") == 0.4f);
+  CHECK(spec.get_string_attribute("relief:light2:kind") == "sun");
+  CHECK(spec.get_string_attribute("relief:light3:kind") == "point");
+  CHECK(std::isnan(number("relief:light4:azimuth")));
+  CHECK_NEAR(number("relief:subsurfaceDepth"), 2.5, 0.0); // automatic: the mean spacing
+  CHECK(number("relief:specularCoefficient") == 0.2f);
+  CHECK(number("relief:forwardScatterCoefficient") == 0.3f);
+  CHECK(number("relief:specularPower") == 3.0f && number("relief:forwardScatterPower") == 1.0f);
+  CHECK(number("relief:floorHeight") == -5.0f);
+  CHECK(number("relief:heightScale") == 1.5f && number("relief:tolerance") == 0.01f);
+  CHECK(spec.get_string_attribute("relief:integrator") == "Exact");
+  CHECK(spec.get_string_attribute("relief:attenuation") == "Reciprocal");
+  CHECK(spec.get_string_attribute("relief:offsetMode") == "Vertical");
+  CHECK(std::isnan(number("relief:density")));
+  CHECK(spec.get_string_attribute("Software").find("ReliefShading ") == 0);
+  CHECK_NEAR(number("PixelAspectRatio"), 2.0 / 3.0, 1e-7);
+
+  {
+    const Imf::InputFile input(name.c_str());
+    const Imf::Header& header = input.header();
+    const auto& origin = header.typedAttribute<Imf::V3dAttribute>("relief:origin").value();
+    CHECK(origin == Imath::V3d(1000.0 + 7 * 2.0, 2000.0 - 4 * 3.0, 2.0));
+    const auto& spacing = header.typedAttribute<Imf::V3dAttribute>("relief:spacing").value();
+    CHECK(spacing == Imath::V3d(2.0, 3.0, 1.0));
+    const auto& color = header.typedAttribute<Imf::V3fAttribute>("relief:light1:color").value();
+    CHECK(color == Imath::V3f(1.0f, 0.9f, 0.7f));
+    const auto& diffuse = header.typedAttribute<Imf::V3fAttribute>("relief:diffuseColor").value();
+    CHECK(diffuse == Imath::V3f(0.9f, 0.7f, 0.4f));
+    const auto& position =
+      header.typedAttribute<Imf::V3dAttribute>("relief:light3:position").value();
+    CHECK(position == Imath::V3d(1011.5, 2003.25, 77.0));
+    const auto& range = header.typedAttribute<Imf::V2fAttribute>("relief:specularRange").value();
+    CHECK(range == Imath::V2f(0.0f, 1.0f));
+    CHECK(header.findTypedAttribute<Imf::StringAttribute>("owner")->value() == "The Alps");
+    CHECK(header.findTypedAttribute<Imf::StringAttribute>("comments")->value() ==
+      writer->GetAttribute("comments"));
+    CHECK(
+      header.findTypedAttribute<Imf::StringAttribute>(std::string(100, 'n'))->value() == "long");
+    CHECK(header.find("chromaticities") != header.end());
+  }
+
+  // The sun of a scene without lights, and the other modes.
+  vtkNew<vtkReliefScene> plain;
+  plain->SetIntegratorToFixedStep();
+  plain->SetNumberOfSteps(99);
+  plain->GetMaterial()->SetSubsurfaceDepth(7.0);
+  plain->GetMaterial()->SetAttenuationToExponential();
+  plain->GetMaterial()->SetDensity(0.25);
+  plain->GetMaterial()->SetOffsetModeToSurfaceNormal();
+  writer->SetScene(plain);
+  writer->RemoveAllAttributes();
+  WriteGood(writer, image, name);
+  const Layers other(name);
+  CHECK(other.Spec.get_int_attribute("relief:lights") == 1);
+  CHECK_NEAR(other.Spec.get_float_attribute("relief:light1:azimuth"), 315.0, 1e-4);
+  CHECK_NEAR(other.Spec.get_float_attribute("relief:light1:altitude"), 45.0, 1e-5);
+  CHECK(other.Spec.get_float_attribute("relief:subsurfaceDepth") == 7.0f);
+  CHECK(other.Spec.get_float_attribute("relief:density") == 0.25f);
+  CHECK(other.Spec.get_string_attribute("relief:integrator") == "FixedStep");
+  CHECK(other.Spec.get_int_attribute("relief:numberOfSteps") == 99);
+  CHECK(other.Spec.get_string_attribute("relief:attenuation") == "Exponential");
+  CHECK(other.Spec.get_string_attribute("relief:offsetMode") == "SurfaceNormal");
+  CHECK(other.Spec.find_attribute("relief:floorHeight") == nullptr);
+  CHECK(other.Spec.find_attribute("owner") == nullptr);
+
+  // Without a scene only the image speaks.
+  writer->SetScene(nullptr);
+  WriteGood(writer, image, name);
+  CHECK(Layers(name).Spec.find_attribute("relief:lights") == nullptr);
+}
+
+//------------------------------------------------------------------------------
+// Writes what is to be refused: one message with the file's name, nothing left behind.
+void Refused(
+  vtkImageData* image, const std::string& name, unsigned long code, const std::string& text)
+{
+  const int files = CountFiles(Directory);
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  MessageKeeper messages(writer);
+  MessageKeeper pipeline(writer->GetExecutive());
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  writer->Write();
+  CHECK(writer->GetErrorCode() == code);
+  CHECK(messages.OneError("Cannot write \"" + name + "\": "));
+  writer->Write();
+  CHECK(messages.OneError(text));
+  CHECK(pipeline.Silent());
+  CHECK(CountFiles(Directory) == files);
+}
+
+vtkSmartPointer<vtkImageData> MakeImage(int type, int components)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(4, 3, 1);
+  image->AllocateScalars(type, components);
+  image->GetPointData()->GetScalars()->Fill(1.0);
+  return image;
+}
+
+void TestRefusals()
+{
+  const std::string name = Directory + "bad.exr";
+  const unsigned long format = vtkErrorCode::FileFormatError;
+  const unsigned long unknown = vtkErrorCode::UnknownError;
+  Refused(MakeImage(VTK_UNSIGNED_CHAR, 4), name, format, "SetOutputScalarTypeToFloat");
+  Refused(MakeImage(VTK_FLOAT, 2), name, format, "the scalars have 2 components of type float");
+  Refused(MakeImage(VTK_FLOAT, 5), name, format, "5 components");
+  Refused(MakeImage(VTK_FLOAT, 4), "", vtkErrorCode::NoFileNameError, "no file name");
+  auto withArray = [](vtkAbstractArray* array, const char* arrayName, int components, int tuples)
+  {
+    auto image = MakeImage(VTK_FLOAT, 4);
+    array->SetName(arrayName);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(tuples);
+    image->GetPointData()->AddArray(array);
+    return image;
+  };
+  vtkNew<vtkUnsignedCharArray> labels;
+  Refused(withArray(labels, "Labels", 1, 12), name, format,
+    "the point array \"Labels\" has 1 component of type unsigned char; 1, 3 or 4");
+  vtkNew<vtkFloatArray> pairs;
+  Refused(withArray(pairs, "Pairs", 2, 12), name, format, "\"Pairs\" has 2 components");
+  vtkNew<vtkFloatArray> few;
+  Refused(withArray(few, "Few", 3, 11), name, unknown, "\"Few\" has 11 values for 12 points");
+  vtkNew<vtkFloatArray> unnamed;
+  Refused(withArray(unnamed, nullptr, 3, 12), name, format, "has no name");
+  vtkNew<vtkFloatArray> named;
+  const std::string longName(300, 'x');
+  Refused(withArray(named, longName.c_str(), 3, 12), name, format, "longer than OpenEXR's 255");
+
+  vtkNew<vtkImageData> empty;
+  Refused(empty, name, unknown, "empty");
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 1);
+  Refused(bare, name, unknown, "no scalars");
+  vtkNew<vtkImageData> volume;
+  volume->SetDimensions(3, 3, 3);
+  volume->AllocateScalars(VTK_FLOAT, 4);
+  Refused(volume, name, unknown, "3 slices");
+  auto flat = MakeImage(VTK_FLOAT, 4);
+  flat->SetSpacing(1.0, 0.0, 1.0);
+  Refused(flat, name, unknown, "spacing");
+  auto narrow = MakeImage(VTK_FLOAT, 4);
+  narrow->SetSpacing(1e-9, 1.0, 1.0);
+  Refused(narrow, name, format, "aspect ratio");
+
+  auto good = MakeImage(VTK_FLOAT, 4);
+  const unsigned long place = vtkErrorCode::CannotOpenFileError;
+  Refused(good, Directory + "none/bad.exr", place, "cannot be written");
+  std::filesystem::create_directory(Directory + "folder.exr");
+  Refused(good, Directory + "folder.exr", place, "not a file");
+
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  MessageKeeper messages(writer);
+  writer->SetFileName(name.c_str());
+  writer->Write();
+  CHECK(messages.OneError("no input") && writer->GetErrorCode() == unknown);
+  writer->SetDWACompressionLevel(-1.0);
+  CHECK(messages.OneError("SetDWACompressionLevel: -1"));
+  writer->SetDWACompressionLevel(NaN);
+  CHECK(messages.OneError("SetDWACompressionLevel: nan"));
+  CHECK(writer->GetDWACompressionLevel() == 45.0);
+  for (const char* reserved : { "", "channels", "tiles", "relief:lights" })
+  {
+    writer->SetAttribute(reserved, "text");
+    CHECK(messages.OneError(std::string("SetAttribute: \"") + reserved + "\""));
+    CHECK(writer->GetAttribute(reserved) == nullptr);
+  }
+  writer->SetAttribute(std::string(256, 'a'), "text");
+  CHECK(messages.OneError("1 to 255 characters"));
+}
+
+//------------------------------------------------------------------------------
+void TestSettings()
+{
+  vtkNew<vtkOpenEXRLayerWriter> writer;
+  writer->SetPixelType(-3);
+  CHECK(writer->GetPixelType() == vtkOpenEXRLayerWriter::Half);
+  writer->SetCompression(77);
+  CHECK(writer->GetCompression() == vtkOpenEXRLayerWriter::DWAA);
+  writer->SetCompressionToNone();
+  CHECK(writer->GetCompression() == vtkOpenEXRLayerWriter::NoCompression);
+  writer->SetTileSize(1);
+  CHECK(writer->GetTileSize() == 8);
+  writer->SetTileSize(100000);
+  CHECK(writer->GetTileSize() == 4096);
+  writer->SetAttribute("owner", "me");
+  const vtkMTimeType time = writer->GetMTime();
+  writer->SetAttribute("owner", "me");
+  writer->SetAttribute("nobody", nullptr);
+  CHECK(writer->GetMTime() == time);
+  writer->SetAttribute("owner", nullptr);
+  CHECK(writer->GetMTime() > time && writer->GetAttribute("owner") == nullptr);
+  vtkNew<vtkReliefScene> scene;
+  writer->SetScene(scene);
+  CHECK(writer->GetScene() == scene);
+  const vtkMTimeType before = writer->GetMTime();
+  scene->GetMaterial()->SetDensity(0.125);
+  CHECK(writer->GetMTime() > before);
+  writer->SetAttribute("comments", "mine");
+  std::ostringstream text;
+  writer->Print(text);
+  for (const char* member : { "Scene:\n", "Density: 0.125", "PixelType: Half", "Compression: None",
+         "DWACompressionLevel: 45", "Tiled: Off", "TileSize: 4096", "NoDataValue: 0",
+         "comments: mine" })
+  {
+    CHECK(text.str().find(member) != std::string::npos);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestWholeFiles()
+{
+  const std::string directory = Directory + "whole/";
+  std::filesystem::create_directory(directory);
+  for (bool tiled : { false, true })
+  {
+    const std::string name = directory + (tiled ? "tiles.exr" : "rows.exr");
+    vtkNew<vtkReliefScene> scene;
+    auto image = MakeShaded(520, 460, scene);
+    vtkNew<vtkOpenEXRLayerWriter> writer;
+    MessageKeeper messages(writer);
+    writer->SetTiled(tiled);
+    writer->SetCompressionToNone();
+    writer->SetInputData(image);
+    writer->SetFileName(name.c_str());
+    WriteText(name, "what was here before");
+    const int files = CountFiles(directory);
+    auto untouched = [&]
+    { return CountFiles(directory) == files && FileText(name) == "what was here before"; };
+
+    // Told to stop on the way.
+    struct Watch
+    {
+      vtkOpenEXRLayerWriter* Writer;
+      std::vector<double> Steps;
+      bool Abort;
+      int Files;
+      std::string Folder;
+    } watch{ writer, {}, true, 0, directory };
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetClientData(&watch);
+    observer->SetCallback(
+      [](vtkObject*, unsigned long, void* data, void* amount)
+      {
+        auto self = static_cast<Watch*>(data);
+        self->Steps.push_back(*static_cast<double*>(amount));
+        self->Files = std::max(self->Files, CountFiles(self->Folder));
+        if (self->Abort && self->Steps.back() > 0.0)
+        {
+          self->Writer->SetAbortExecute(1);
+        }
+      });
+    writer->AddObserver(vtkCommand::ProgressEvent, observer);
+    writer->Write();
+    CHECK(writer->GetErrorCode() == vtkErrorCode::UserError && messages.Silent());
+    CHECK(watch.Files == files + 1 && untouched());
+    watch.Abort = false;
+    writer->SetAbortExecute(0);
+
+#ifndef _WIN32
+    // No room on the disk, at once or for the last byte, which belongs to the table of offsets that
+    // OpenEXR writes last: a limit on the size of files has the same effect.
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before;
+    getrlimit(RLIMIT_FSIZE, &before);
+    const std::string trial = directory + "trial.exr";
+    writer->SetFileName(trial.c_str());
+    writer->Write();
+    const auto size = std::filesystem::file_size(trial);
+    std::filesystem::remove(trial);
+    writer->SetFileName(name.c_str());
+    for (rlim_t room : { rlim_t(1000), rlim_t(size - 1) })
+    {
+      rlimit limit = before;
+      limit.rlim_cur = room;
+      setrlimit(RLIMIT_FSIZE, &limit);
+      writer->Write();
+      setrlimit(RLIMIT_FSIZE, &before);
+      CHECK(writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError);
+      CHECK(messages.OneError("Cannot write \"" + name + "\": writing failed: "));
+      CHECK(untouched());
+    }
+#endif
+
+    // And now the whole.
+    watch.Steps.clear();
+    writer->Write();
+    CHECK(writer->GetErrorCode() == vtkErrorCode::NoError && messages.Silent());
+    CHECK(CountFiles(directory) == files);
+    CHECK(std::is_sorted(watch.Steps.begin(), watch.Steps.end()) && watch.Steps.size() > 2);
+    CHECK(!watch.Steps.empty() && watch.Steps.back() == 1.0);
+    CompareWithArrays(Layers(name), image);
+    const std::string part = directory + "part.exr";
+    WriteText(part, FileText(name).substr(0, std::filesystem::file_size(name) / 2));
+    CHECK(IsDamaged(part));
+    std::filesystem::remove(part);
+  }
+  const std::string umlaut = directory + "H\xc3\xb6hen \xe5\xb1\xb1.exr";
+  vtkNew<vtkOpenEXRLayerWriter> unicode;
+  unicode->SetInputData(MakeImage(VTK_FLOAT, 1));
+  unicode->SetFileName(umlaut.c_str());
+  unicode->Write();
+  CHECK(Layers(umlaut)("Y", 3, 2) == 1.0f);
+}
+}
+
+int TestOpenEXRLayerWriter(int argc, char* argv[])
+{
+  Directory = EmptyDirectory(argc, argv, "TestOpenEXRLayerWriter");
+  TestLayers();
+  TestHalf();
+  TestDWAA();
+  TestNoData();
+  TestNames();
+  TestMetadata();
+  TestRefusals();
+  TestSettings();
+  TestWholeFiles();
+  return Failures;
+}
