@@ -8,6 +8,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkReliefConversion.h"
+#include "vtkReliefEnvironment.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
 
@@ -87,6 +88,7 @@ void AddLight(vtkLight* light, Attributes attributes)
     attributes.Number("azimuth", azimuth < 0.0 ? azimuth + 360.0 : azimuth);
     attributes.Number("altitude",
       vtkMath::DegreesFromRadians(std::atan2(toward[2], std::hypot(toward[0], toward[1]))));
+    attributes.Number("angularDiameter", vtkReliefScene::GetAngularDiameter(light));
   }
   attributes.Triple("color", light->GetDiffuseColor());
   attributes.Number("intensity", light->GetIntensity());
@@ -95,10 +97,10 @@ void AddLight(vtkLight* light, Attributes attributes)
 //------------------------------------------------------------------------------
 void AddLights(vtkReliefScene* scene, Imf::Header& header)
 {
-  // A scene without lights is lit by this sun.
+  // A scene without any light is lit by this sun.
   vtkNew<vtkReliefScene> unlit;
   vtkLightCollection* lights = scene->GetLights();
-  if (lights->GetNumberOfItems() == 0)
+  if (lights->GetNumberOfItems() == 0 && !scene->GetEnvironment())
   {
     unlit->AddSun(315.0, 45.0);
     lights = unlit->GetLights();
@@ -112,6 +114,18 @@ void AddLights(vtkReliefScene* scene, Imf::Header& header)
     }
   }
   Attributes(header, "relief:").Count("lights", count);
+}
+
+//------------------------------------------------------------------------------
+void AddEnvironment(vtkReliefEnvironment* environment, Attributes attributes)
+{
+  static const char* const samplings[] = { "Uniform", "SolidAngle", "Importance" };
+  attributes.Text("sampling", samplings[environment->GetSampling()]);
+  attributes.Count("numberOfSamples", environment->GetNumberOfSamples());
+  attributes.Number("rotationZ", environment->GetRotationZ());
+  attributes.Number("tilt", environment->GetTilt());
+  attributes.Number("intensity", environment->GetIntensity());
+  attributes.Number("radius", environment->GetRadius());
 }
 
 //------------------------------------------------------------------------------
@@ -172,6 +186,10 @@ std::string AddMetadata(vtkImageData* image, vtkReliefScene* scene, Imf::Header&
     attributes.Count("numberOfSteps", scene->GetNumberOfSteps());
   }
   AddLights(scene, header);
+  if (scene->GetEnvironment())
+  {
+    AddEnvironment(scene->GetEnvironment(), Attributes(header, "relief:environment:"));
+  }
   const double depth = vtkReliefConvertMaterial(scene, frame, 0.0).medium.depth;
   AddMaterial(scene->GetMaterial(), depth, attributes);
   return std::string();

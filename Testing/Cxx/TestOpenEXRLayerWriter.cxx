@@ -8,6 +8,7 @@
 #include "vtkExecutive.h"
 #include "vtkLight.h"
 #include "vtkOpenImageIOReader.h"
+#include "vtkReliefEnvironment.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
 #include "vtkUnsignedCharArray.h"
@@ -543,6 +544,27 @@ void TestMetadata()
   CHECK(other.Spec.get_string_attribute("relief:offsetMode") == "SurfaceNormal");
   CHECK(other.Spec.find_attribute("relief:floorHeight") == nullptr);
   CHECK(other.Spec.find_attribute("owner") == nullptr);
+
+  // An environment, which takes the place of that sun, and a sun with a disc.
+  vtkNew<vtkReliefScene> sky;
+  sky->SetLightsToSkyDome();
+  sky->GetEnvironment()->SetRotationZ(30.0);
+  writer->SetScene(sky);
+  WriteGood(writer, image, name);
+  const Layers dome(name);
+  CHECK(dome.Spec.get_int_attribute("relief:lights", -1) == 0);
+  CHECK(dome.Spec.get_string_attribute("relief:environment:sampling") == "SolidAngle");
+  CHECK(dome.Spec.get_int_attribute("relief:environment:numberOfSamples") == 128);
+  CHECK(dome.Spec.get_float_attribute("relief:environment:rotationZ") == 30.0f);
+  CHECK(dome.Spec.get_float_attribute("relief:environment:tilt", NaN) == 0.0f);
+  CHECK(dome.Spec.get_float_attribute("relief:environment:intensity") == 1.0f);
+  CHECK(dome.Spec.get_float_attribute("relief:environment:radius") == Infinity);
+  sky->SetLightsToSunAndSky(200.0, 30.0);
+  WriteGood(writer, image, name);
+  const Layers sun(name);
+  CHECK(sun.Spec.get_int_attribute("relief:lights") == 1);
+  CHECK(sun.Spec.get_float_attribute("relief:light1:angularDiameter") == 0.533f);
+  CHECK(sun.Spec.get_string_attribute("relief:environment:sampling") == "Importance");
 
   // Without a scene only the image speaks.
   writer->SetScene(nullptr);
