@@ -208,9 +208,7 @@ std::string vtkReliefConvertLights(vtkReliefScene* scene, vtkLightCollection* ot
   if (environment)
   {
     std::vector<relief::Light> samples;
-    glm::dvec3 mean;
-    const std::string wrong =
-      vtkReliefEnvironmentSampler::Sample(environment, frame, samples, mean);
+    const std::string wrong = vtkReliefEnvironmentSampler::Sample(environment, frame, samples);
     if (!wrong.empty())
     {
       return "environment: " + wrong;
@@ -223,7 +221,6 @@ std::string vtkReliefConvertLights(vtkReliefScene* scene, vtkLightCollection* ot
         field.HasData() ? 0.5 * (static_cast<double>(field.GetBottom()) + field.GetTop()) : 0.0);
       relief::PlaceOnSphere(samples, center, environment->GetRadius());
     }
-    relief::ShareTolerance(samples, mean, scene->GetMaterial()->GetUseFloor());
     result.insert(result.end(), samples.begin(), samples.end());
   }
   return std::string();

@@ -50,13 +50,12 @@ std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, cons
 std::string vtkReliefConvertLight(
   vtkLight* light, const vtkReliefImageFrame& frame, double datum, relief::Light& result);
 
-/// The samples of an environment as directional lights in the image's frame, and the mean of its
-/// radiance over the sphere.
+/// The samples of an environment as directional lights in the image's frame.
 class vtkReliefEnvironmentSampler
 {
 public:
   static std::string Sample(vtkReliefEnvironment* environment, const vtkReliefImageFrame& frame,
-    std::vector<relief::Light>& lights, glm::dvec3& mean);
+    std::vector<relief::Light>& lights);
 };
 
 /// All lights of a scene: those switched on, suns with a disc as several, and the samples of its

@@ -158,7 +158,6 @@ public:
 
   // Kept until what they were made from changes; modification times are never given twice.
   relief::RadianceMap Map;
-  glm::dvec3 Mean;
   vtkMTimeType MapTime = 0;
   std::vector<relief::Light> Lights;
   std::tuple<vtkMTimeType, int, int, glm::dmat3> LightsMadeFrom;
@@ -267,12 +266,11 @@ void vtkReliefEnvironment::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environment,
-  const vtkReliefImageFrame& frame, std::vector<relief::Light>& lights, glm::dvec3& mean)
+  const vtkReliefImageFrame& frame, std::vector<relief::Light>& lights)
 {
   vtkReliefEnvironment::Internals& internal = *environment->Internal;
   vtkImageData* image = internal.Image;
   lights.clear();
-  mean = glm::dvec3(0.0);
   if (!image)
   {
     return std::string();
@@ -299,7 +297,6 @@ std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environmen
     if (internal.MapTime != time)
     {
       internal.Map = ReadImage(image);
-      internal.Mean = internal.Map.GetMean();
       internal.MapTime = time;
       if (internal.Map.GetCleaned() > 0)
       {
@@ -328,6 +325,5 @@ std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environmen
   {
     light.intensity = environment->Intensity;
   }
-  mean = internal.Mean;
   return std::string();
 }

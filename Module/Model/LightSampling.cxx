@@ -3,6 +3,7 @@
 
 #include "ImportanceSampling.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -96,6 +97,48 @@ std::vector<PatchLight> DivideBySolidAngle(int samples)
   return lights;
 }
 
+// How far the lights of patches that do not depend on the map may err, in units of what is allowed
+// for the mean radiance: all as far. It must not change when the map turns, so it is taken from the
+// map and not from the lights. In (u, v) the poles weigh more than they are large.
+double EvenTolerance(const RadianceMap& map, bool uniform)
+{
+  if (!uniform)
+  {
+    return 0.25; // the weights sum to 4
+  }
+  const glm::dvec3 mean = map.GetMean();
+  const glm::dvec3 sum =
+    TurnedMap(map, 0.0, TurnedMap::PolarAngle).Mean({ 0.0, 2.0 * Pi, 0.0, 1.0 });
+  double scale = 1.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    scale = sum[c] > 0.0 ? std::min(scale, mean[c] / sum[c]) : scale;
+  }
+  return scale;
+}
+
+// Were work per light inverse to its tolerance, it would be least with tolerances that are inverse
+// to the root of a light's share.
+void ShareTolerance(const glm::dvec3& mean, std::vector<Light>& lights)
+{
+  std::vector<double> roots;
+  double sum = 0.0;
+  for (const Light& light : lights)
+  {
+    double share = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      share = mean[c] > 0.0 ? std::max(share, light.weight * light.color[c] / mean[c]) : share;
+    }
+    roots.push_back(std::sqrt(share));
+    sum += roots.back();
+  }
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    lights[k].toleranceScale = roots[k] > 0.0 ? 1.0 / (roots[k] * sum) : 1.0;
+  }
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +154,14 @@ std::vector<Light> SampleEnvironment(
   const double c = std::cos(turn);
   const double s = std::sin(turn);
   const glm::dmat3 turnBack(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0);
-  const glm::dmat3 place = mirror * m * turnBack;
+  glm::dmat3 place = mirror * m * turnBack;
+  // Without the last digits, which differ from turn to turn, a turning map keeps its directions,
+  // and with them all that is known of the rays.
+  constexpr double digits = 1ll << 44;
+  for (int k = 0; k < 3; ++k)
+  {
+    place[k] = glm::round(place[k] * digits) / digits;
+  }
 
   const bool uniform = sampling == EnvironmentSampling::Uniform;
   const std::vector<PatchLight> divided = uniform ? DivideUniformly(samples)
@@ -120,13 +170,20 @@ std::vector<Light> SampleEnvironment(
   TurnedMap turned(map, turn, uniform ? TurnedMap::PolarAngle : TurnedMap::SolidAngle);
   std::vector<Light> lights;
   lights.reserve(divided.size());
+  const bool important = sampling == EnvironmentSampling::Importance;
+  const double even = important ? 1.0 : EvenTolerance(map, uniform);
   for (const PatchLight& one : divided)
   {
     Light light;
     light.vector = glm::normalize(place * one.toward);
     light.color = turned.Mean(one.patch);
     light.weight = uniform ? 1.0 / samples : one.patch.Area() / Pi;
+    light.toleranceScale = even;
     lights.push_back(light);
+  }
+  if (important)
+  {
+    ShareTolerance(map.GetMean(), lights);
   }
   return lights;
 }
@@ -138,29 +195,6 @@ void PlaceOnSphere(std::vector<Light>& lights, const glm::dvec3& center, double 
   {
     light.positional = true;
     light.vector = center + radius * light.vector;
-  }
-}
-
-//------------------------------------------------------------------------------
-void ShareTolerance(std::vector<Light>& lights, const glm::dvec3& mean, bool belowShows)
-{
-  std::vector<double> roots(lights.size(), 0.0);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < lights.size(); ++k)
-  {
-    const Light& light = lights[k];
-    const bool shows = light.positional || belowShows || light.vector.z >= 0.0;
-    double share = 0.0;
-    for (int c = 0; c < 3 && shows; ++c)
-    {
-      share = mean[c] > 0.0 ? std::max(share, light.weight * light.color[c] / mean[c]) : share;
-    }
-    roots[k] = std::sqrt(share);
-    sum += roots[k];
-  }
-  for (std::size_t k = 0; k < lights.size(); ++k)
-  {
-    lights[k].toleranceScale = roots[k] > 0.0 ? 1.0 / (roots[k] * sum) : 1.0;
   }
 }
 

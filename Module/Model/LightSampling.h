@@ -43,19 +43,17 @@ enum class EnvironmentSampling
 ///   energy. Black patches give no light, so there may be fewer than N.
 ///
 /// The pattern does not turn when the map turns about its own axis, so a map that looks the same
-/// after a part of a turn is sampled the same; it leans and turns with everything else.
+/// after a part of a turn is sampled the same; it leans and turns with everything else. Uniform and
+/// SolidAngle keep the very same directions and tolerances while it turns.
+///
+/// A scene's tolerance is shared out to the lights (their toleranceScale), so that the weighted sum
+/// of their colours times d errs by at most the tolerance times the map's mean in every channel:
+/// evenly, or with Importance so that bright lights are traced more exactly than dim ones.
 std::vector<Light> SampleEnvironment(
   const RadianceMap& map, EnvironmentSampling sampling, int samples, const glm::dmat3& toField);
 
 /// Puts directional lights on a sphere, as positional ones.
 void PlaceOnSphere(std::vector<Light>& lights, const glm::dvec3& center, double radius);
-
-/// Shares a scene's tolerance out to the lights of an environment (sets their toleranceScale), so
-/// that the weighted sum of their colours times d errs by at most the tolerance times `mean` in
-/// every channel, with the least work: a light's own tolerance is inverse to the root of its share
-/// s of the light. Were work per light inverse to its tolerance, this split would make it least.
-/// Directional lights below the horizon take part only where they can show.
-void ShareTolerance(std::vector<Light>& lights, const glm::dvec3& mean, bool belowShows);
 
 /// A sun's disc as directional lights of equal solid angle and equal weight, which sum to the
 /// sun's. `diameter` is an angle in radians; 0, or one sample, gives the sun itself. Samples lie

@@ -181,7 +181,11 @@ void SceneShading::UseCache(Plan& plan, std::size_t& cached)
   key.vector = plan.light.vector;
   key.positional = plan.light.positional;
   key.medium = plan.medium;
-  key.steps = this->Parameters.integrator == Integrator::FixedStep ? this->Parameters.steps : 0;
+  if (this->Parameters.integrator == Integrator::FixedStep)
+  {
+    key.steps = this->Parameters.steps;
+    key.medium.tolerance = 0.0; // which it does not know
+  }
   key.thickness = plan.thickness;
   plan.kept = this->Cache->Find(key);
   const std::size_t size = IlluminationCache::SizeOf(key);

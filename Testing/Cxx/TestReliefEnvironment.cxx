@@ -360,6 +360,18 @@ int TestLights()
           once->GetPointData()->GetScalars(), lit.Update()->GetPointData()->GetScalars()) < 1e-5);
   CHECK(statistics->GetLightsTraced() == 0 && statistics->GetLightsReused() == 32);
 
+  // A turn about its axis changes what the samples see, not where they stand.
+  lit.Environment->SetRotationZ(37.0);
+  vtkNew<vtkImageData> turned;
+  turned->DeepCopy(lit.Update());
+  CHECK(statistics->GetLightsTraced() == 0 && statistics->GetLightsReused() == 32);
+  lit.Shading->ReleaseCache();
+  lit.Shading->Modified();
+  CHECK(LargestDifference(
+          turned->GetPointData()->GetScalars(), lit.Update()->GetPointData()->GetScalars()) == 0.0);
+  CHECK(statistics->GetLightsTraced() == 32);
+  lit.Environment->SetRotationZ(0.0);
+
   // Lights add to the environment's.
   scene->GetMaterial()->SetDiffuseColor(1.0, 1.0, 1.0);
   lit.Environment->SetIntensity(1.0);

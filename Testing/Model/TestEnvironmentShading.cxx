@@ -108,8 +108,7 @@ TEST(EnvironmentShading, LightsThatCannotShowAreNotTraced)
   EXPECT_EQ(Shade(prepared.Field, scene).lightsTraced, 0);
 }
 
-// Where there is much light, little error is allowed, so that the sum errs by the tolerance times
-// the mean radiance at most.
+// The sum errs by the tolerance times the mean radiance at most.
 TEST(EnvironmentShading, SharedToleranceBoundsTheSum)
 {
   Random random(Seed());
@@ -135,7 +134,6 @@ TEST(EnvironmentShading, SharedToleranceBoundsTheSum)
     scene.medium = drawn.medium;
     scene.lights = SampleEnvironment(
       map, static_cast<EnvironmentSampling>(round % 3), random.Integer(1, 60), Upright);
-    ShareTolerance(scene.lights, map.GetMean(), scene.medium.useFloor);
     scene.medium.tolerance = 0.0;
     const Picture exact = Shade(prepared.Field, scene);
     scene.medium.tolerance = random.Logarithmic(0.003, 0.3);
