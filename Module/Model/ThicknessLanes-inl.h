@@ -87,6 +87,11 @@ public:
       return hn::And(hn::Lt(thickness, hn::Set(tag, this->Dark)),
         hn::Or(endless, hn::Gt(hn::Mul(rest, hn::Set(tag, this->Density)), twice)));
     }
+    // At depth 0 nothing gets through any thickness at all.
+    if (this->Depth == 0.0f)
+    {
+      return hn::Le(thickness, hn::Zero(tag));
+    }
     // t / r - t / (r + rest) = t / (r (r / rest + 1)) > 2 epsilon, also where the rest is infinite.
     const Vector depth = hn::Set(tag, this->Depth);
     const Vector r = hn::Max(thickness, depth);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef EffectPlan_h
+#define EffectPlan_h
+
+#include "SceneShading.h"
+
+#include <vector>
+
+namespace relief
+{
+
+/// A light and what a scene wants of it.
+struct LightPlan
+{
+  Light light;        ///< as the integrator takes it
+  glm::vec3 vector;   ///< toward it, for a directional light's highlight and scattering
+  bool directional;   ///< as the scene has it
+  glm::vec3 radiance; ///< weight, intensity and colour
+  bool shows;         ///< it brightens something
+  bool trace;         ///< its illumination shows and is not known to be 0
+};
+
+/// Which effects a scene calls for, and what it wants of each of its lights, in their order.
+struct EffectPlan
+{
+  bool diffuse = false;  ///< light that goes straight through shows
+  bool scatter = false;  ///< forward scattering shows
+  bool specular = false; ///< highlights show
+  std::vector<LightPlan> lights;
+};
+
+EffectPlan PlanEffects(const HeightField& field, const Scene& scene);
+
+}
+
+#endif

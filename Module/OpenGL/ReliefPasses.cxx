@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReliefPasses.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+vtkSmartPointer<vtkTextureObject> NewTexture(
+  vtkOpenGLRenderWindow* window, const relief::ReliefGrid& grid, int components)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  return texture->Allocate2D(grid.size[0], grid.size[1], components, VTK_FLOAT) ? texture : nullptr;
+}
+
+void SetColor(vtkShaderProgram* program, const char* name, const glm::dvec3& color)
+{
+  const float values[3] = { static_cast<float>(color.x), static_cast<float>(color.y),
+    static_cast<float>(color.z) };
+  program->SetUniform3f(name, values);
+}
+
+void SetFalloff(vtkShaderProgram* program, const char* name, const relief::f64::ReliefFalloff& f)
+{
+  SetColor(program, name, glm::dvec3(f.lo, f.hi, f.power));
+}
+
+// Sets the uniforms of a grid, by their prefix.
+void SetGrid(vtkShaderProgram* program, const std::string& prefix, const relief::ReliefGrid& grid)
+{
+  const float stride[2] = { static_cast<float>(grid.stride[0]),
+    static_cast<float>(grid.stride[1]) };
+  program->SetUniform2i((prefix + "First").c_str(), grid.first);
+  program->SetUniform2f((prefix + "Stride").c_str(), stride);
+  program->SetUniform2i((prefix + "Size").c_str(), grid.size);
+}
+
+void SetTexture(vtkShaderProgram* program, const char* name, vtkTextureObject* texture,
+  std::vector<vtkTextureObject*>& active)
+{
+  texture->Activate();
+  program->SetUniformi(name, texture->GetTextureUnit());
+  active.push_back(texture);
+}
+
+void Deactivate(const std::vector<vtkTextureObject*>& active)
+{
+  for (vtkTextureObject* texture : active)
+  {
+    texture->Deactivate();
+  }
+}
+
+std::string Key(const char* kind, std::initializer_list<bool> features)
+{
+  std::string key = kind;
+  for (bool feature : features)
+  {
+    key += feature ? '1' : '0';
+  }
+  return key;
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool ReliefLayer::Allocate(
+  vtkOpenGLRenderWindow* window, const relief::ReliefGrid& newGrid, int components)
+{
+  const bool fits =
+    this->texture && this->grid.size[0] == newGrid.size[0] && this->grid.size[1] == newGrid.size[1];
+  this->grid = newGrid;
+  if (!fits)
+  {
+    this->texture = NewTexture(window, newGrid, components);
+  }
+  return this->texture != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool ReliefSumLayers::Allocate(vtkOpenGLRenderWindow* window, const relief::ReliefGrid& newGrid,
+  const relief::SumFeatures& newFeatures)
+{
+  const bool fits = this->grid.size[0] == newGrid.size[0] && this->grid.size[1] == newGrid.size[1];
+  this->grid = newGrid;
+  this->features = newFeatures;
+  const bool wanted[3] = { newFeatures.diffuse, newFeatures.scatter, newFeatures.specular };
+  bool all = true;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    if (!wanted[k])
+    {
+      this->textures[k] = nullptr;
+    }
+    else if (!fits || !this->textures[k])
+    {
+      // Four components: OpenGL need not be able to draw into three.
+      this->textures[k] = NewTexture(window, newGrid, 4);
+      all = all && this->textures[k];
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkTextureObject*> ReliefSumLayers::Used() const
+{
+  std::vector<vtkTextureObject*> used;
+  for (const auto& texture : this->textures)
+  {
+    if (texture)
+    {
+      used.push_back(texture);
+    }
+  }
+  return used;
+}
+
+//------------------------------------------------------------------------------
+ReliefPasses::ReliefPasses(vtkOpenGLRenderWindow* window)
+  : Window(window)
+{
+  this->Framebuffer->SetContext(window);
+}
+
+//------------------------------------------------------------------------------
+ReliefPasses::~ReliefPasses() = default;
+
+//------------------------------------------------------------------------------
+void ReliefPasses::SetScene(const relief::Scene& scene)
+{
+  this->Parameters = scene;
+}
+
+//------------------------------------------------------------------------------
+void ReliefPasses::Finish()
+{
+  glFinish();
+}
+
+//------------------------------------------------------------------------------
+relief::LightFeatures ReliefPasses::Features(const relief::LightPlan& light) const
+{
+  const relief::f64::ReliefMedium& medium = this->Parameters.medium;
+  relief::LightFeatures features;
+  features.positional = light.light.positional;
+  features.surfaceNormal = medium.offset == relief::f64::RELIEF_SURFACE_NORMAL;
+  features.exponential = medium.attenuation == relief::f64::RELIEF_EXPONENTIAL;
+  features.floor = medium.useFloor;
+  features.fixedStep = this->Parameters.integrator == relief::Integrator::FixedStep;
+  return features;
+}
+
+//------------------------------------------------------------------------------
+// Makes a program ready, compiled when it is needed first, with the uniforms of field and grid.
+template <class MakeText>
+vtkOpenGLQuadHelper* ReliefPasses::UseProgram(
+  const std::string& key, const relief::ReliefGrid& grid, MakeText&& makeText)
+{
+  const relief::FieldLayout layout = this->Field.GetLayout();
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad =
+    this->Programs[Key(key.c_str(), { layout.tiledHeights, layout.tiledBounds })];
+  this->Compiled = !quad;
+  if (!quad)
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(
+      this->Window, nullptr, makeText(layout).c_str(), nullptr);
+  }
+  else if (quad->Program)
+  {
+    this->Window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  }
+  if (!quad->Program)
+  {
+    this->Problem = "a shading program could not be compiled";
+    return nullptr;
+  }
+  this->Field.Use(quad->Program);
+  SetGrid(quad->Program, "grid", grid);
+  return quad.get();
+}
+
+//------------------------------------------------------------------------------
+void ReliefPasses::SetLight(vtkShaderProgram* program, const relief::LightPlan& light)
+{
+  const relief::f64::ReliefMedium& medium = this->Parameters.medium;
+  program->SetUniformf("mediumDepth", static_cast<float>(medium.depth));
+  program->SetUniformf("mediumDensity", static_cast<float>(medium.density));
+  program->SetUniformf("mediumFloor", static_cast<float>(medium.floorHeight));
+  program->SetUniformf(
+    "mediumTolerance", static_cast<float>(medium.tolerance * light.light.toleranceScale));
+  glm::dvec3 vector = light.light.vector;
+  if (light.light.positional)
+  {
+    // Farther away than this, a sample more or less does not show.
+    constexpr double farthest = 1.0e9;
+    const double* spacing = this->Field.GetSpacing();
+    int cell[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double at = std::floor(vector[axis] / spacing[axis]);
+      cell[axis] = static_cast<int>(std::clamp(at, -farthest, farthest));
+      vector[axis] -= static_cast<double>(cell[axis]) * spacing[axis];
+    }
+    program->SetUniform2i("lightSample", cell);
+  }
+  SetColor(program, "lightVector", vector);
+}
+
+//------------------------------------------------------------------------------
+// Draws rows of targets of one size, in place of what they hold or in addition to it.
+bool ReliefPasses::Draw(vtkOpenGLQuadHelper* quad, const std::vector<vtkTextureObject*>& targets,
+  int begin, int end, bool add)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewport(state);
+  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
+  vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  const auto count = static_cast<unsigned int>(targets.size());
+  for (unsigned int k = 0; k < count; ++k)
+  {
+    this->Framebuffer->AddColorAttachment(k, targets[k]);
+  }
+  this->Framebuffer->ActivateDrawBuffers(count);
+  const char* reason = "";
+  const bool complete = vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+    vtkOpenGLFramebufferObject::GetDrawMode(), reason);
+  if (complete)
+  {
+    const int width = static_cast<int>(targets[0]->GetWidth());
+    state->vtkglViewport(0, 0, width, static_cast<int>(targets[0]->GetHeight()));
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(0, begin, width, end - begin);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    if (add)
+    {
+      state->vtkglEnable(GL_BLEND);
+      state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    }
+    else
+    {
+      state->vtkglDisable(GL_BLEND);
+    }
+    if (quad)
+    {
+      quad->Render();
+    }
+    else
+    {
+      state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+      state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    }
+  }
+  else
+  {
+    this->Problem = std::string("OpenGL cannot draw into floats: ") + reason;
+  }
+  this->Framebuffer->RemoveColorAttachments(count);
+  state->PopFramebufferBindings();
+  return complete;
+}
+
+//------------------------------------------------------------------------------
+bool ReliefPasses::Trace(
+  const relief::LightPlan& light, const ReliefLayer& layer, int begin, int end)
+{
+  const relief::LightFeatures features = this->Features(light);
+  vtkOpenGLQuadHelper* quad =
+    this->UseProgram(Key("trace",
+                       { features.positional, features.surfaceNormal, features.exponential,
+                         features.floor, features.fixedStep }),
+      layer.grid,
+      [&](const relief::FieldLayout& layout) { return relief::TraceProgram(layout, features); });
+  if (!quad)
+  {
+    return false;
+  }
+  this->SetLight(quad->Program, light);
+  quad->Program->SetUniformi("lightSteps", this->Parameters.steps);
+  const bool drawn = this->Draw(quad, { layer.texture }, begin, end, false);
+  this->Field.Deactivate();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+bool ReliefPasses::Clear(const ReliefSumLayers& sums)
+{
+  return this->Draw(nullptr, sums.Used(), 0, sums.grid.size[1], false);
+}
+
+//------------------------------------------------------------------------------
+bool ReliefPasses::Gather(
+  const relief::LightPlan& light, const ReliefLayer* illumination, const ReliefSumLayers& sums)
+{
+  relief::LightFeatures features = this->Features(light);
+  features.positional = !light.directional;
+  const relief::SumFeatures& wanted = sums.features;
+  vtkOpenGLQuadHelper* quad =
+    this->UseProgram(Key("gather",
+                       { features.positional && wanted.NeedsDirection(), features.surfaceNormal,
+                         wanted.diffuse, wanted.scatter, wanted.specular }),
+      sums.grid,
+      [&](const relief::FieldLayout& layout)
+      { return relief::GatherProgram(layout, features, wanted); });
+  if (!quad)
+  {
+    return false;
+  }
+  vtkShaderProgram* program = quad->Program;
+  std::vector<vtkTextureObject*> active;
+  if (wanted.NeedsDirection() && !light.directional)
+  {
+    this->SetLight(program, light);
+  }
+  else if (wanted.NeedsDirection())
+  {
+    SetColor(program, "lightVector", glm::dvec3(light.vector));
+  }
+  SetColor(program, "lightRadiance", glm::dvec3(light.radiance));
+  SetFalloff(program, "scatterFalloff", this->Parameters.scatterFalloff);
+  SetFalloff(program, "specularFalloff", this->Parameters.specularFalloff);
+  if (wanted.NeedsIllumination())
+  {
+    SetTexture(program, "illumination", illumination->texture, active);
+    SetGrid(program, "illumination", illumination->grid);
+  }
+  const bool drawn = this->Draw(quad, sums.Used(), 0, sums.grid.size[1], true);
+  Deactivate(active);
+  this->Field.Deactivate();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+bool ReliefPasses::Compose(const ReliefSumLayers* first, const ReliefSumLayers* later,
+  const glm::dvec3& laterScale, const relief::SumFeatures& features, const ReliefLayer& colors)
+{
+  vtkOpenGLQuadHelper* quad =
+    this->UseProgram(Key("compose",
+                       { features.diffuse, features.scatter, features.specular, first != nullptr,
+                         later != nullptr }),
+      colors.grid,
+      [&](const relief::FieldLayout& layout)
+      { return relief::ComposeProgram(layout, features, first != nullptr, later != nullptr); });
+  if (!quad)
+  {
+    return false;
+  }
+  vtkShaderProgram* program = quad->Program;
+  const float coefficients[2] = { static_cast<float>(this->Parameters.specularCoefficient),
+    static_cast<float>(this->Parameters.scatterCoefficient) };
+  program->SetUniform2f("coefficients", coefficients);
+  SetColor(program, "baseColor", this->Parameters.base);
+  SetColor(program, "diffuseColor", this->Parameters.diffuse);
+  SetColor(program, "specularColor", this->Parameters.specular);
+  std::vector<vtkTextureObject*> active;
+  const char* const names[2][3] = { { "firstDiffuse", "firstScatter", "firstSpecular" },
+    { "laterDiffuse", "laterScatter", "laterSpecular" } };
+  for (int set = 0; set < 2; ++set)
+  {
+    const ReliefSumLayers* sums = set == 0 ? first : later;
+    for (std::size_t k = 0; sums && k < 3; ++k)
+    {
+      if (sums->textures[k])
+      {
+        SetTexture(program, names[set][k], sums->textures[k], active);
+      }
+    }
+  }
+  if (later)
+  {
+    SetColor(program, "laterScale", laterScale);
+    SetGrid(program, "later", later->grid);
+  }
+  const bool drawn = this->Draw(quad, { colors.texture }, 0, colors.grid.size[1], false);
+  Deactivate(active);
+  this->Field.Deactivate();
+  return drawn;
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReliefPrograms_h
+#define ReliefPrograms_h
+
+#include <set>
+#include <string>
+
+/// @file
+/// The texts of the shading programs: each holds what a scene calls for and nothing else. No OpenGL
+/// here.
+///
+/// The files in Module/glsl have lines `//RELIEF::If Name`, `//RELIEF::Else` and `//RELIEF::End`,
+/// which keep or drop the lines between them.
+
+namespace relief
+{
+
+/// How the heights lie in textures.
+struct FieldLayout
+{
+  bool tiledHeights = false;
+  bool tiledBounds = false;
+  bool operator==(const FieldLayout& other) const
+  {
+    return this->tiledHeights == other.tiledHeights && this->tiledBounds == other.tiledBounds;
+  }
+};
+
+/// What the ray toward a light depends on.
+struct LightFeatures
+{
+  bool positional = false;
+  bool surfaceNormal = false;
+  bool exponential = false;
+  bool floor = false;
+  bool fixedStep = false;
+};
+
+/// Which sums over lights a scene needs.
+struct SumFeatures
+{
+  bool diffuse = false;
+  bool scatter = false;
+  bool specular = false;
+  bool Any() const { return this->diffuse || this->scatter || this->specular; }
+  bool NeedsIllumination() const { return this->diffuse || this->scatter; }
+  bool NeedsDirection() const { return this->scatter || this->specular; }
+  bool operator==(const SumFeatures& other) const
+  {
+    return this->diffuse == other.diffuse && this->scatter == other.scatter &&
+      this->specular == other.specular;
+  }
+};
+
+/// Fragment programs in GLSL 1.50, as vtkOpenGLShaderCache takes them.
+///@{
+std::string TraceProgram(const FieldLayout& layout, const LightFeatures& light);
+std::string GatherProgram(
+  const FieldLayout& layout, const LightFeatures& light, const SumFeatures& sums);
+std::string ComposeProgram(
+  const FieldLayout& layout, const SumFeatures& sums, bool first, bool later);
+///@}
+
+/// The functions of the model that encode colours for the screen, for use in another program.
+std::string EncodingFunctions();
+
+/// Keeps of a text what the features ask for. Throws std::logic_error where its lines do not match.
+std::string SelectLines(const std::string& text, const std::set<std::string>& features);
+
+}
+
+#endif
