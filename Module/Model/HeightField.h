@@ -47,7 +47,7 @@ public:
   std::string Assign(
     const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded = false);
 
-  static constexpr int Padding = 48;
+  static constexpr int Padding = 32;
 
   /// The row that stands for all rows outside a padded field, from x = 0; null without padding.
   const float* GetMissingRow() const { return this->MissingRow; }

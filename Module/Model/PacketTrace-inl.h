@@ -23,7 +23,6 @@ namespace HWY_NAMESPACE
 using IntTag = hn::RebindToSigned<Tag>;
 using Ints = hn::Vec<IntTag>;
 
-constexpr int MaxLanes = 32;
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
 // The rays of neighbouring samples of a row, and what has been found of them.

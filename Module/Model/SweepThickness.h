@@ -25,8 +25,10 @@ namespace relief
 class SweepThickness
 {
 public:
-  static constexpr int TileWidth = 32;
-  static constexpr int TileHeight = 8;
+  // As wide as the widest vectors, and square: the closer a tile's samples are, the less their
+  // heights differ, and the sooner the bounds can tell.
+  static constexpr int TileWidth = 16;
+  static constexpr int TileHeight = 16;
   static constexpr int TileSize = TileWidth * TileHeight;
 
   /// Whether a light and medium are of the kind that is swept: a directional light at or above the

@@ -7,7 +7,7 @@
 #define ThicknessLanes_inl_h
 #endif
 
-#include "ReliefModel.h"
+#include "SweepThickness.h"
 
 #include <hwy/highway.h>
 
@@ -22,8 +22,10 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// As many rays as fit into one vector, at most 32.
-using Tag = hn::CappedTag<float, 32>;
+// As many rays as fit into one vector, at most a row of a tile.
+constexpr int MaxLanes = 16;
+static_assert(MaxLanes == SweepThickness::TileWidth);
+using Tag = hn::CappedTag<float, MaxLanes>;
 using Vector = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
