@@ -11,6 +11,7 @@
 #include "FilterRun.h"
 #include "Growth.h"
 #include "Integrators.h"
+#include "LightSampling.h"
 #include "SceneShading.h"
 #include "Targets.h"
 #include "Timing.h"
@@ -21,6 +22,7 @@
 #include "GdalHillshade.h"
 #endif
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -255,22 +257,18 @@ void CompareThreads(const Relief& relief, int repetitions, Table& table)
   }
 }
 
-// 64 suns at once, and each of them alone, as 8-bit colour.
-void CompareLights(const Relief& relief, int repetitions, Table& table)
+// Many lights at once, and each of them alone, as 8-bit colour.
+void CompareLights(const Relief& relief, const std::vector<relief::Light>& lights,
+  const std::string& name, int repetitions, Table& table)
 {
   const auto field = Prepare(relief);
   std::vector<unsigned char> rgba(4 * relief.heights.size());
   relief::Scene scene;
   scene.medium = Medium(*field, DefaultTolerance);
-  const auto suns = Suns(64);
   auto shade = [&](std::size_t first, std::size_t last)
   {
-    scene.lights.clear();
-    for (std::size_t k = first; k < last; ++k)
-    {
-      scene.lights.push_back(Sun(suns[k].first, suns[k].second));
-      scene.lights.back().weight = 1.0 / static_cast<double>(last - first);
-    }
+    scene.lights.assign(lights.begin() + static_cast<std::ptrdiff_t>(first),
+      lights.begin() + static_cast<std::ptrdiff_t>(last));
     relief::Target target;
     target.width = relief.columns;
     target.rgba8 = rgba.data();
@@ -278,20 +276,45 @@ void CompareLights(const Relief& relief, int repetitions, Table& table)
     shading.Shade(0, relief.columns, 0, relief.rows);
   };
   Contest rivals;
-  const double work = 64.0 * static_cast<double>(relief.heights.size());
-  rivals.Add("64 suns at once, a light", work, [&] { shade(0, 64); });
-  rivals.Add("64 suns one after another, a light", work,
+  const std::size_t count = lights.size();
+  const double work = static_cast<double>(count * relief.heights.size());
+  rivals.Add(name + " at once, a light", work, [&] { shade(0, count); });
+  rivals.Add(name + " one after another, a light", work,
     [&]
     {
-      for (std::size_t k = 0; k < 64; ++k)
+      for (std::size_t k = 0; k < count; ++k)
       {
         shade(k, k + 1);
       }
     });
   rivals.Race(repetitions);
-  table.Add("a light among 64 against one alone, time",
-    rivals["64 suns at once, a light"] / rivals["64 suns one after another, a light"], "x", 1.0,
+  table.Add("a light among " + name + " against one alone, time",
+    rivals[name + " at once, a light"] / rivals[name + " one after another, a light"], "x", 1.0,
     false);
+}
+
+std::vector<relief::Light> ManySuns(int count)
+{
+  std::vector<relief::Light> lights;
+  for (const auto& sun : Suns(count))
+  {
+    lights.push_back(Sun(sun.first, sun.second));
+    lights.back().weight = 1.0 / count;
+  }
+  return lights;
+}
+
+// The lights of a white sky that are above the horizon: half of all.
+std::vector<relief::Light> WhiteSky(int count)
+{
+  relief::RadianceMap white(1, 1);
+  white.Set(0, 0, glm::dvec3(1.0));
+  std::vector<relief::Light> lights = relief::SampleEnvironment(
+    white, relief::EnvironmentSampling::SolidAngle, 2 * count, glm::dmat3(1.0));
+  lights.erase(std::remove_if(lights.begin(), lights.end(),
+                 [](const relief::Light& light) { return light.vector.z < 0.0; }),
+    lights.end());
+  return lights;
 }
 
 void CompareSizes(int small, int large, int repetitions, Table& table)
@@ -344,8 +367,9 @@ int main(int argc, char* argv[])
   Table table;
   CompareIntegrators(relief, repetitions, table);
   CompareSizes(trial > 0 ? trial : 1024, trial > 0 ? 2 * trial : 8192, repetitions, table);
-  CompareLights(
-    trial > 0 ? relief : Terrain(1024, 1024, 2.0 * TerrainSpacing), trial > 0 ? 1 : 5, table);
+  const Relief many = trial > 0 ? relief : Terrain(1024, 1024, 2.0 * TerrainSpacing);
+  CompareLights(many, ManySuns(64), "64 suns", trial > 0 ? 1 : 5, table);
+  CompareLights(many, WhiteSky(256), "256 of a white sky", trial > 0 ? 1 : 3, table);
   CompareThreads(relief, trial > 0 ? 1 : 15, table);
   std::cout << "\n";
   table.Write(std::cout, false);
