@@ -8,7 +8,9 @@
 #include "vtkReliefHeights.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefStatistics.h"
+#include "vtkReliefTextures.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
 #include "vtkFloatArray.h"
@@ -16,6 +18,7 @@
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
+#include "vtkInformation.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
@@ -27,6 +30,8 @@
 #include "vtkPixelBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTextureObject.h"
 
 #include "vtk_glew.h"
@@ -97,10 +102,15 @@ public:
   explicit Internals(vtkOpenGLReliefImageMapper* self)
     : Self(self)
   {
+    // An observer takes the place of printing.
+    vtkNew<vtkCallbackCommand> nothing;
+    nothing->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+    this->Silent->AddObserver(vtkCommand::WarningEvent, nothing);
   }
 
   WindowState& GetState(vtkOpenGLRenderWindow* window);
   std::string Prepare(vtkRenderer* renderer, relief::Scene& scene);
+  std::string AddTextures(relief::Scene& scene);
   ReliefView::Request MakeRequest(vtkRenderer* renderer, vtkImageSlice* slice);
   ReliefRectangle::Place MakePlace(vtkImageSlice* slice);
   void GetArea(double area[4]) const;
@@ -108,6 +118,10 @@ public:
 
   vtkOpenGLReliefImageMapper* Self;
   vtkReliefHeights Heights;
+  vtkReliefTextures Textures;
+  vtkMTimeType TextureTime = 0; // of the inputs and of what says how they are read
+  vtkMTimeType ToldTime = 0;    // when there was something new to warn of
+  vtkNew<vtkObject> Silent;
   std::map<vtkOpenGLRenderWindow*, std::unique_ptr<WindowState>> Windows;
   vtkOpenGLRenderWindow* LastWindow = nullptr;
   ReliefRefresher Refresher;
@@ -185,8 +199,48 @@ std::string vtkOpenGLReliefImageMapper::Internals::Prepare(
       others->AddItem(ToData(light, this->Self->GetDataToWorldMatrix()));
     }
   }
-  return vtkReliefConvertLights(scene, others->GetNumberOfItems() > 0 ? others.Get() : nullptr,
+  wrong = vtkReliefConvertLights(scene, others->GetNumberOfItems() > 0 ? others.Get() : nullptr,
     this->Heights.GetFrame(), this->Heights.GetField(), result.lights);
+  return wrong.empty() ? this->AddTextures(result) : wrong;
+}
+
+//------------------------------------------------------------------------------
+// Adds the textures and the table to a scene. Returns an empty text, or what is wrong.
+std::string vtkOpenGLReliefImageMapper::Internals::AddTextures(relief::Scene& result)
+{
+  vtkReliefTextureInput inputs[5];
+  this->TextureTime = this->Self->vtkImageMapper3D::GetMTime();
+  for (int port = 0; port < 5; ++port)
+  {
+    vtkReliefTextureInput& input = inputs[port];
+    input.image = vtkImageData::SafeDownCast(
+      port == 0 ? this->Self->GetInput() : this->Self->GetInputDataObject(port, 0));
+    if (port == 1 || !input.image)
+    {
+      continue;
+    }
+    input.scalars = this->Self->GetInputArrayToProcess(port, input.image);
+    vtkInformation* info = this->Self->GetInputInformation(port, 0);
+    std::copy_n(info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+        ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
+        : input.image->GetExtent(),
+      6, input.whole);
+    this->TextureTime = std::max({ this->TextureTime, input.image->GetMTime(),
+      input.scalars ? input.scalars->GetMTime() : 0 });
+  }
+  vtkScalarsToColors* table = this->Self->LookupTable;
+  this->TextureTime = table ? std::max(this->TextureTime, table->GetMTime()) : this->TextureTime;
+  // What there is to warn of is said once, not in every frame.
+  const bool told = this->TextureTime == this->ToldTime;
+  this->ToldTime = this->TextureTime;
+  const std::string wrong = this->Textures.Add(inputs[0], { inputs[2], inputs[3], inputs[4] },
+    table, this->Self->StretchTextures,
+    told ? this->Silent.Get() : static_cast<vtkObject*>(this->Self), result);
+  if (!table)
+  {
+    this->Textures.Release();
+  }
+  return wrong;
 }
 
 //------------------------------------------------------------------------------
@@ -234,6 +288,7 @@ ReliefView::Request vtkOpenGLReliefImageMapper::Internals::MakeRequest(
   const int limit = this->Self->TextureSizeLimit;
   const int largest = vtkTextureObject::GetMaximumTextureSize(window);
   request.maximumTextureSize = limit > 0 ? std::min(limit, largest) : largest;
+  request.textures = this->TextureTime;
   request.memory = 1024.0 * static_cast<double>(this->Self->CacheMemoryLimit);
 
   const double rate = window->GetDesiredUpdateRate();
@@ -325,7 +380,14 @@ void vtkOpenGLReliefImageMapper::Render(vtkRenderer* renderer, vtkImageSlice* sl
     this->Statistics->SetLightsTraced(work.lightsTraced);
     this->Statistics->SetLightsReused(work.lightsReused);
     this->Statistics->SetRaysTraced(work.rays);
+    const bool illuminates = plan.diffuse || plan.scatter;
     this->Statistics->SetEffectsEvaluated(
+      (scene.specularCoefficient < 1.0 && !scene.baseTextures.empty()
+          ? vtkReliefStatistics::BaseTexture
+          : 0) |
+      (illuminates && !scene.diffuseTextures.empty() ? vtkReliefStatistics::DiffuseTexture : 0) |
+      (plan.specular && !scene.specularTextures.empty() ? vtkReliefStatistics::SpecularTexture
+                                                        : 0) |
       (plan.diffuse || plan.scatter ? vtkReliefStatistics::Illumination : 0) |
       (plan.specular ? vtkReliefStatistics::Normals | vtkReliefStatistics::Specular : 0) |
       (plan.scatter ? vtkReliefStatistics::ForwardScatter : 0));

@@ -13,6 +13,7 @@
 #include "vtkReliefScene.h"
 #include "vtkReliefSetters.h"
 #include "vtkReliefStatistics.h"
+#include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ vtkReliefSetNumberBody(ProgressiveFrameTime, double, value > 0.0, "a finite numb
 vtkReliefImageMapper::vtkReliefImageMapper()
   : Scene(vtkSmartPointer<vtkReliefScene>::New())
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(5);
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     this->SetInputArrayToProcess(
@@ -78,6 +79,22 @@ void vtkReliefImageMapper::SetNoDataValue(double value)
 }
 
 //------------------------------------------------------------------------------
+void vtkReliefImageMapper::SetLookupTable(vtkScalarsToColors* table)
+{
+  if (this->LookupTable != table)
+  {
+    this->LookupTable = table;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkScalarsToColors* vtkReliefImageMapper::GetLookupTable()
+{
+  return this->LookupTable;
+}
+
+//------------------------------------------------------------------------------
 vtkReliefStatistics* vtkReliefImageMapper::GetStatistics()
 {
   return this->Statistics;
@@ -98,7 +115,8 @@ void vtkReliefImageMapper::SetProgressOfPicture(bool converged, double refinemen
 //------------------------------------------------------------------------------
 vtkMTimeType vtkReliefImageMapper::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->Scene->GetMTime());
+  const vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->Scene->GetMTime());
+  return this->LookupTable ? std::max(time, this->LookupTable->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------
@@ -239,6 +257,17 @@ void vtkReliefImageMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Scene->PrintSelf(os, indent.GetNextIndent());
   os << indent << "NoDataValue: " << this->NoDataValue << "\n";
   printSwitch("UseNoDataValue", this->UseNoDataValue);
+  printSwitch("StretchTextures", this->StretchTextures);
+  os << indent << "LookupTable:";
+  if (this->LookupTable)
+  {
+    os << "\n";
+    this->LookupTable->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << " (none)\n";
+  }
   printSwitch("Cropping", this->Cropping);
   os << indent << "CroppingRegion: (";
   for (int k = 0; k < 6; ++k)

@@ -6,7 +6,8 @@
  * The picture is that of vtkImageReliefShading, from the same vtkReliefScene and the same model,
  * but only what can be seen is shaded, once for each pixel or sample, whichever are fewer, and only
  * what has changed is shaded again: move a light, and that light's shadows are found anew; change a
- * colour, and none are. Inputs are the filter's: 0 heights, 1 mask (optional).
+ * colour, and none are. Inputs are the filter's: 0 heights and, optional, 1 mask, 2 diffuse, 3 base
+ * and 4 specular texture.
  *
  * Where several samples fall in a pixel, the middle one is shown. Where one covers several pixels,
  * the vtkImageProperty's InterpolationType decides: nearest, or else bilinear. Opacity, Border,
@@ -38,6 +39,7 @@
 
 class vtkReliefScene;
 class vtkReliefStatistics;
+class vtkScalarsToColors;
 
 class VTKRELIEFSHADING_EXPORT vtkReliefImageMapper : public vtkImageMapper3D
 {
@@ -69,6 +71,39 @@ public:
    */
   void SetMaskConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(1, port); }
   void SetMaskData(vtkDataObject* mask) { this->SetInputDataObject(1, mask); }
+  ///@}
+
+  ///@{
+  /**
+   * Textures for the diffuse, base and specular colour, inputs 2, 3 and 4, as vtkImageReliefShading
+   * takes them. Each lies over the material's constant colour, the diffuse one over the
+   * LookupTable's colours too. Null for none.
+   */
+  void SetDiffuseTextureConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(2, port); }
+  void SetDiffuseTextureData(vtkDataObject* texture) { this->SetInputDataObject(2, texture); }
+  void SetBaseTextureConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(3, port); }
+  void SetBaseTextureData(vtkDataObject* texture) { this->SetInputDataObject(3, texture); }
+  void SetSpecularTextureConnection(vtkAlgorithmOutput* port) { this->SetInputConnection(4, port); }
+  void SetSpecularTextureData(vtkDataObject* texture) { this->SetInputDataObject(4, texture); }
+  ///@}
+
+  ///@{
+  /**
+   * On: textures cover the whole field, edge to edge. Off: each lies where its image does in the
+   * world. Default: off.
+   */
+  vtkSetMacro(StretchTextures, bool);
+  vtkGetMacro(StretchTextures, bool);
+  vtkBooleanMacro(StretchTextures, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A table that gives the diffuse colour by height, as vtkImageReliefShading takes it. Null, the
+   * default, for none.
+   */
+  void SetLookupTable(vtkScalarsToColors* table);
+  vtkScalarsToColors* GetLookupTable();
   ///@}
 
   ///@{
@@ -183,6 +218,8 @@ protected:
 
   vtkSmartPointer<vtkReliefScene> Scene;
   vtkNew<vtkReliefStatistics> Statistics;
+  vtkSmartPointer<vtkScalarsToColors> LookupTable;
+  bool StretchTextures = false;
   double NoDataValue = 0.0;
   bool UseNoDataValue = false;
   bool Cropping = false;

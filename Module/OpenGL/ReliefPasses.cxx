@@ -361,15 +361,22 @@ bool ReliefPasses::Gather(
 
 //------------------------------------------------------------------------------
 bool ReliefPasses::Compose(const ReliefSumLayers* first, const ReliefSumLayers* later,
-  const glm::dvec3& laterScale, const relief::SumFeatures& features, const ReliefLayer& colors)
+  const glm::dvec3& laterScale, const relief::SumFeatures& features,
+  const ReliefColorLayers& textures, const ReliefLayer& colors)
 {
-  vtkOpenGLQuadHelper* quad =
-    this->UseProgram(Key("compose",
-                       { features.diffuse, features.scatter, features.specular, first != nullptr,
-                         later != nullptr }),
-      colors.grid,
-      [&](const relief::FieldLayout& layout)
-      { return relief::ComposeProgram(layout, features, first != nullptr, later != nullptr); });
+  relief::ComposeFeatures compose;
+  compose.sums = features;
+  compose.first = first != nullptr;
+  compose.later = later != nullptr;
+  compose.baseTexture = textures.GetBase() != nullptr;
+  compose.diffuseTexture = features.NeedsIllumination() && textures.GetDiffuse();
+  compose.specularTexture = features.specular && textures.GetSpecular();
+  vtkOpenGLQuadHelper* quad = this->UseProgram(
+    Key("compose",
+      { features.diffuse, features.scatter, features.specular, compose.first, compose.later,
+        compose.baseTexture, compose.diffuseTexture, compose.specularTexture }),
+    colors.grid,
+    [&](const relief::FieldLayout& layout) { return relief::ComposeProgram(layout, compose); });
   if (!quad)
   {
     return false;
@@ -382,6 +389,18 @@ bool ReliefPasses::Compose(const ReliefSumLayers* first, const ReliefSumLayers* 
   SetColor(program, "diffuseColor", this->Parameters.diffuse);
   SetColor(program, "specularColor", this->Parameters.specular);
   std::vector<vtkTextureObject*> active;
+  if (compose.baseTexture)
+  {
+    SetTexture(program, "baseColors", textures.GetBase(), active);
+  }
+  if (compose.diffuseTexture)
+  {
+    SetTexture(program, "diffuseColors", textures.GetDiffuse(), active);
+  }
+  if (compose.specularTexture)
+  {
+    SetTexture(program, "specularColors", textures.GetSpecular(), active);
+  }
   const char* const names[2][3] = { { "firstDiffuse", "firstScatter", "firstSpecular" },
     { "laterDiffuse", "laterScatter", "laterSpecular" } };
   for (int set = 0; set < 2; ++set)

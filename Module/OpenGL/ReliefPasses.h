@@ -3,6 +3,7 @@
 #define ReliefPasses_h
 
 #include "EffectPlan.h"
+#include "ReliefColorLayers.h"
 #include "ReliefFieldTextures.h"
 #include "ReliefGrid.h"
 #include "ReliefPrograms.h"
@@ -70,9 +71,11 @@ public:
   /// Adds a light, whose illumination may be null where no sum needs it, to sums.
   bool Gather(
     const relief::LightPlan& light, const ReliefLayer* illumination, const ReliefSumLayers& sums);
-  /// Makes colours of sums. Either may be null.
+  /// Makes colours of sums, of which either may be null, and of the material's colours or those of
+  /// its textures.
   bool Compose(const ReliefSumLayers* first, const ReliefSumLayers* later,
-    const glm::dvec3& laterScale, const relief::SumFeatures& features, const ReliefLayer& colors);
+    const glm::dvec3& laterScale, const relief::SumFeatures& features,
+    const ReliefColorLayers& textures, const ReliefLayer& colors);
   ///@}
 
   /// What failed last, or an empty text.

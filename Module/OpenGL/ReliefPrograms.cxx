@@ -154,15 +154,17 @@ std::string GatherProgram(
   return text + SelectLines(ReliefGatherFS, features);
 }
 
-std::string ComposeProgram(
-  const FieldLayout& layout, const SumFeatures& sums, bool first, bool later)
+std::string ComposeProgram(const FieldLayout& layout, const ComposeFeatures& compose)
 {
   Features features;
   AddLayout(features, layout);
-  AddSums(features, sums);
-  Add(features, "DiffuseColor", sums.NeedsIllumination());
-  Add(features, "First", first && sums.Any());
-  Add(features, "Later", later && sums.Any());
+  AddSums(features, compose.sums);
+  Add(features, "DiffuseColor", compose.sums.NeedsIllumination());
+  Add(features, "First", compose.first && compose.sums.Any());
+  Add(features, "Later", compose.later && compose.sums.Any());
+  Add(features, "BaseTexture", compose.baseTexture);
+  Add(features, "DiffuseTexture", compose.diffuseTexture);
+  Add(features, "SpecularTexture", compose.specularTexture);
   return Header + std::string(ReliefPreludeGLSL) + SelectLines(ReliefFieldGLSL, features) +
     ReliefModelGLSL + ReliefGridGLSL + SelectLines(ReliefComposeFS, features);
 }

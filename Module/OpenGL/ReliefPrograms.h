@@ -52,13 +52,23 @@ struct SumFeatures
   }
 };
 
+/// What the colours are made of.
+struct ComposeFeatures
+{
+  SumFeatures sums;
+  bool first = false; ///< sums over the first lights
+  bool later = false; ///< sums over the rest
+  bool baseTexture = false;
+  bool diffuseTexture = false;
+  bool specularTexture = false;
+};
+
 /// Fragment programs in GLSL 1.50, as vtkOpenGLShaderCache takes them.
 ///@{
 std::string TraceProgram(const FieldLayout& layout, const LightFeatures& light);
 std::string GatherProgram(
   const FieldLayout& layout, const LightFeatures& light, const SumFeatures& sums);
-std::string ComposeProgram(
-  const FieldLayout& layout, const SumFeatures& sums, bool first, bool later);
+std::string ComposeProgram(const FieldLayout& layout, const ComposeFeatures& compose);
 ///@}
 
 /// The functions of the model that encode colours for the screen, for use in another program.

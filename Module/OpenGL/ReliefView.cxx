@@ -466,6 +466,7 @@ bool ReliefView::ComposeColors()
   from.push_back(this->Parameters.specularCoefficient);
   from.push_back(this->Parameters.scatterCoefficient);
   from.push_back(static_cast<double>(this->Passes->GetField().GetVersion()));
+  from.push_back(static_cast<double>(this->Asked.textures));
   if (from == this->ComposedFrom)
   {
     return true;
@@ -473,9 +474,11 @@ bool ReliefView::ComposeColors()
   this->ComposedFrom.clear();
   const ReliefSumLayers* first = this->FirstSums.Used().empty() ? nullptr : &this->FirstSums;
   const ReliefSumLayers* later = this->Rest.empty() ? nullptr : &this->LaterSums.sums;
-  if (!this->Colors.Allocate(this->Window, this->Shown, 4) ||
+  if (!this->Textures.Update(this->Window, this->Parameters, this->Shown, this->Samples[0],
+        this->Samples[1], this->Asked.textures) ||
+    !this->Colors.Allocate(this->Window, this->Shown, 4) ||
     !this->Passes->Compose(first, later, this->LaterScale,
-      first || later ? this->Sums : relief::SumFeatures(), this->Colors))
+      first || later ? this->Sums : relief::SumFeatures(), this->Textures, this->Colors))
   {
     return false;
   }
@@ -516,14 +519,16 @@ bool ReliefView::Update(vtkOpenGLRenderWindow* window, ReliefPasses& passes,
   this->Traced.clear();
   this->Converged = false;
   const relief::HeightView<float>& heights = field.GetField().heights;
+  const bool sameField = this->Samples[0] == heights.columns && this->Samples[1] == heights.rows;
   this->Samples[0] = heights.columns;
   this->Samples[1] = heights.rows;
   const double pixels = static_cast<double>(request.viewportSize[0]) * request.viewportSize[1];
   const relief::ReliefGrid full = relief::MakeGrid(request.part, heights.columns, heights.rows, 1.0,
     std::max(TexelsPerPixel * pixels, 4096.0), request.maximumTextureSize);
   // A larger one of the same stride, as after zooming in a little, saves tracing anew.
-  const bool keep =
-    this->Full.Holds(full) && this->Full.GetNumberOfTexels() <= 2.0 * full.GetNumberOfTexels();
+  const bool keep = sameField && this->Full.Holds(full) &&
+    std::max(this->Full.size[0], this->Full.size[1]) <= request.maximumTextureSize &&
+    this->Full.GetNumberOfTexels() <= 2.0 * full.GetNumberOfTexels();
   this->Full = keep ? this->Full : full;
 
   this->Classify(field, scene);

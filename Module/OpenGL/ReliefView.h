@@ -27,9 +27,10 @@ public:
     relief::VisiblePart part;
     int viewportSize[2] = { 0, 0 };
     int maximumTextureSize = 0;
-    double memory = 0.0;  ///< for illuminations that are kept, in bytes
-    double seconds = 0.0; ///< for this frame; infinite for a complete one
-    bool moving = false;  ///< whether another picture is wanted next, rather than a better one
+    vtkMTimeType textures = 0; ///< changes with the scene's textures
+    double memory = 0.0;       ///< for illuminations that are kept, in bytes
+    double seconds = 0.0;      ///< for this frame; infinite for a complete one
+    bool moving = false;       ///< whether another picture is wanted next, rather than a better one
   };
 
   struct Work
@@ -129,6 +130,7 @@ private:
   std::vector<double> GatheredFrom;
   Later LaterSums;
   ReliefLayer Scratch;
+  ReliefColorLayers Textures;
   ReliefLayer Colors;
   std::vector<double> ComposedFrom;
   double SecondsPerTexel = 0.0;

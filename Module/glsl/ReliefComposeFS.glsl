@@ -5,12 +5,24 @@
 // are added bit by bit.
 
 uniform vec2 coefficients; // k_s and k_f
+//RELIEF::If BaseTexture
+uniform sampler2D baseColors;
+//RELIEF::Else
 uniform vec3 baseColor;
+//RELIEF::End
 //RELIEF::If DiffuseColor
+//RELIEF::If DiffuseTexture
+uniform sampler2D diffuseColors;
+//RELIEF::Else
 uniform vec3 diffuseColor;
 //RELIEF::End
+//RELIEF::End
 //RELIEF::If Specular
+//RELIEF::If SpecularTexture
+uniform sampler2D specularColors;
+//RELIEF::Else
 uniform vec3 specularColor;
+//RELIEF::End
 //RELIEF::End
 //RELIEF::If First
 //RELIEF::If Diffuse
@@ -48,6 +60,19 @@ void main()
     gl_FragData[0] = vec4(0.0);
     return;
   }
+  //RELIEF::If BaseTexture
+  vec3 baseColor = texelFetch(baseColors, texel, 0).xyz;
+  //RELIEF::End
+  //RELIEF::If DiffuseColor
+  //RELIEF::If DiffuseTexture
+  vec3 diffuseColor = texelFetch(diffuseColors, texel, 0).xyz;
+  //RELIEF::End
+  //RELIEF::End
+  //RELIEF::If Specular
+  //RELIEF::If SpecularTexture
+  vec3 specularColor = texelFetch(specularColors, texel, 0).xyz;
+  //RELIEF::End
+  //RELIEF::End
   vec3 color = reliefBaseTerm(coefficients.x, baseColor);
   //RELIEF::If Later
   ivec2 later = gridTexel(at, laterFirst, laterStride, laterSize);

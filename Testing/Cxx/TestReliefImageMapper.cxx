@@ -469,6 +469,16 @@ void TestBadInput()
   CHECK(messages.Silent());
   CHECK(Pixel(stage.Pixels(), stage, 60, 45) > 0);
 
+  // A texture that lies elsewhere is warned of once.
+  auto elsewhere = Terrain(10, 10);
+  elsewhere->SetOrigin(1.0e4, 0.0, 0.0);
+  stage.mapper->SetDiffuseTextureData(elsewhere);
+  CHECK(stage.Render());
+  CHECK(messages.OneWarning("diffuse texture"));
+  stage.Scene()->GetMaterial()->SetDiffuseColor(0.5, 0.5, 0.5);
+  CHECK(stage.Render() && messages.Silent());
+  stage.mapper->SetDiffuseTextureData(nullptr);
+
   // Without any data there is nothing to see, and nothing wrong.
   stage.mapper->SetInputData(
     MakeHeights(120, 90, [](int, int) { return std::numeric_limits<double>::quiet_NaN(); }));

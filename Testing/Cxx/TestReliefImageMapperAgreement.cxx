@@ -6,6 +6,7 @@
 
 #include "ReliefMapperTestUtilities.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkLight.h"
 #include "vtkMatrix3x3.h"
@@ -45,6 +46,27 @@ vtkSmartPointer<vtkImageData> Holes()
       const bool hole = (i * 7 + j * 13) % 101 == 0 || (i > 60 && i < 66 && j > 20) || i + j < 30;
       return hole ? std::numeric_limits<double>::quiet_NaN() : Hills(2)(i, j);
     });
+}
+
+// A picture of waves, its components between 0 and a largest value.
+template <class ArrayType>
+vtkSmartPointer<vtkImageData> MakePicture(int columns, int rows, int components, double largest)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(columns, rows, 1);
+  vtkNew<ArrayType> values;
+  values->SetNumberOfComponents(components);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType at = 0; at < image->GetNumberOfPoints(); ++at)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      const double wave = std::sin(0.3 * (at % columns) + c) * std::cos(0.2 * (at / columns) - c);
+      values->SetComponent(at, c, std::floor(100.0 * (0.5 + 0.5 * wave)) / 100.0 * largest);
+    }
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
 }
 
 vtkLight* AddLamp(vtkReliefScene* scene, double x, double y, double z)
@@ -234,6 +256,41 @@ std::vector<Case> MakeCases()
       MakeWaxy(s, 0.4);
     },
     Terrain, nullptr });
+  cases.push_back({ "textures and a table",
+    [](vtkReliefScene* s)
+    {
+      s->AddSun(300.0, 35.0);
+      MakeShiny(s, 0.3);
+      MakeWaxy(s, 0.2);
+    },
+    Holes,
+    [](vtkOpenGLReliefImageMapper* mapper, vtkImageReliefShading* filter)
+    {
+      vtkNew<vtkColorTransferFunction> table;
+      table->AddRGBPoint(0.0, 0.1, 0.5, 0.2);
+      table->AddRGBPoint(60.0, 0.9, 0.8, 0.6);
+      auto bytes = MakePicture<vtkUnsignedCharArray>(40, 30, 4, 255.0);
+      bytes->SetOrigin(20.0, 10.0, 0.0);
+      bytes->SetSpacing(2.3, 1.7, 1.0);
+      auto floats = MakePicture<vtkFloatArray>(70, 90, 3, 1.0);
+      mapper->SetLookupTable(table);
+      mapper->SetDiffuseTextureData(bytes);
+      mapper->SetBaseTextureData(floats);
+      mapper->SetSpecularTextureData(bytes);
+      filter->SetLookupTable(table);
+      filter->SetDiffuseTextureData(bytes);
+      filter->SetBaseTextureData(floats);
+      filter->SetSpecularTextureData(bytes);
+    } });
+  cases.push_back({ "a stretched texture", sun, Terrain,
+    [](vtkOpenGLReliefImageMapper* mapper, vtkImageReliefShading* filter)
+    {
+      auto bytes = MakePicture<vtkUnsignedCharArray>(40, 30, 2, 255.0);
+      mapper->SetDiffuseTextureData(bytes);
+      mapper->StretchTexturesOn();
+      filter->SetDiffuseTextureData(bytes);
+      filter->StretchTexturesOn();
+    } });
   cases.push_back({ "holes", sun, Holes, nullptr });
   cases.push_back({ "holes and a lamp, along the normal",
     [](vtkReliefScene* s)

@@ -100,20 +100,28 @@ TEST(ReliefPrograms, GatherHoldsTheEffectsInUse)
 
 TEST(ReliefPrograms, ComposeHoldsTheTermsInUse)
 {
-  const std::string none = relief::ComposeProgram(Plain, relief::SumFeatures(), false, false);
+  relief::ComposeFeatures features;
+  const std::string none = relief::ComposeProgram(Plain, features);
   EXPECT_TRUE(Has(MainOf(none), "reliefBaseTerm("));
   EXPECT_FALSE(Has(MainOf(none), "reliefDiffuseTerm("));
   EXPECT_FALSE(Has(none, "diffuseColor"));
+  EXPECT_FALSE(Has(none, "baseColors"));
 
-  relief::SumFeatures sums;
-  sums.scatter = true;
-  const std::string scatter = relief::ComposeProgram(Plain, sums, true, false);
+  features.sums.scatter = true;
+  features.first = true;
+  const std::string scatter = relief::ComposeProgram(Plain, features);
   EXPECT_TRUE(Has(MainOf(scatter), "reliefScatterTerm("));
-  EXPECT_TRUE(Has(scatter, "diffuseColor"));
+  EXPECT_TRUE(Has(scatter, "uniform vec3 diffuseColor;"));
   EXPECT_FALSE(Has(MainOf(scatter), "reliefSpecularTerm("));
   EXPECT_FALSE(Has(scatter, "laterScale"));
-  EXPECT_TRUE(Has(relief::ComposeProgram(Plain, sums, false, true), "laterScale"));
-  EXPECT_FALSE(Has(relief::ComposeProgram(Plain, sums, false, true), "firstScatter"));
+
+  features.first = false;
+  features.later = features.diffuseTexture = true;
+  const std::string later = relief::ComposeProgram(Plain, features);
+  EXPECT_TRUE(Has(later, "laterScale"));
+  EXPECT_FALSE(Has(later, "firstScatter"));
+  EXPECT_TRUE(Has(later, "uniform sampler2D diffuseColors;"));
+  EXPECT_FALSE(Has(later, "uniform vec3 diffuseColor;"));
 }
 
 TEST(ReliefPrograms, TilesAreReadWhereThereAreTiles)
