@@ -361,6 +361,13 @@ void vtkOpenGLReliefImageMapper::Render(vtkRenderer* renderer, vtkImageSlice* sl
   const ReliefView::Request request = internal.MakeRequest(renderer, slice);
   const relief::HeightField& field = internal.Heights.GetField();
   const bool shows = request.part.any && field.HasData();
+  if (!selecting)
+  {
+    this->Statistics->SetLightsTraced(0);
+    this->Statistics->SetLightsReused(0);
+    this->Statistics->SetRaysTraced(0);
+    this->Statistics->SetEffectsEvaluated(0);
+  }
   if (!selecting && shows)
   {
     const std::string problem =

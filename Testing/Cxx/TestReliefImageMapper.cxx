@@ -364,6 +364,8 @@ void TestMinification()
   // Nothing in view.
   camera->SetFocalPoint(600.0, -400.0, 500.0);
   CHECK(stage.Render() && stage.mapper->GetConverged());
+  CHECK(stage.mapper->GetStatistics()->GetRaysTraced() == 0);
+  CHECK(stage.mapper->GetStatistics()->GetEffectsEvaluated() == 0);
 }
 
 // The slice's matrix moves picture and lights; the renderer's lights stay where they are.
