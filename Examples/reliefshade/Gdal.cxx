@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gdal.h"
 
+#include "Watch.h"
+
 #include <cpl_error.h>
-#include <gdal.h>
+#include <ogr_spatialref.h>
+
+#include <stdexcept>
 
 namespace
 {
@@ -53,6 +57,52 @@ std::string GdalErrors::Take(const std::string& otherwise)
   std::string text;
   text.swap(firstFailure);
   return text.empty() ? otherwise : text;
+}
+
+//------------------------------------------------------------------------------
+DatasetPointer openRaster(const std::string& file)
+{
+  if (!GDALIdentifyDriverEx(file.c_str(), GDAL_OF_RASTER, nullptr, nullptr))
+  {
+    return nullptr;
+  }
+  DatasetPointer dataset(
+    GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  if (!dataset)
+  {
+    throw std::runtime_error(GdalErrors::Take("cannot be opened"));
+  }
+  return dataset;
+}
+
+//------------------------------------------------------------------------------
+void readTransform(GDALDataset* dataset, GeoReference& reference)
+{
+  std::array<double, 6>& t = reference.Transform;
+  reference.Present = dataset->GetGeoTransform(t.data()) == CE_None;
+  if (reference.Present && (t[2] != 0.0 || t[4] != 0.0 || t[1] <= 0.0 || t[5] == 0.0))
+  {
+    throw std::runtime_error(
+      "its rows do not run from west to east; gdalwarp makes a raster that is north up");
+  }
+  reference.SouthUp = reference.Present && t[5] > 0.0;
+}
+
+//------------------------------------------------------------------------------
+std::string wellKnownText(const OGRSpatialReference* crs)
+{
+  char* text = nullptr;
+  const char* const format[] = { "FORMAT=WKT2_2018", nullptr };
+  const bool known = crs && crs->exportToWkt(&text, format) == OGRERR_NONE;
+  const std::string result = known ? text : "";
+  CPLFree(text);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+int goOnUnlessInterrupted(double, const char*, void*)
+{
+  return interrupted() ? FALSE : TRUE;
 }
 
 }

@@ -2,6 +2,11 @@
 #ifndef Gdal_h
 #define Gdal_h
 
+#include "Raster.h"
+
+#include <gdal_priv.h>
+
+#include <memory>
 #include <string>
 
 namespace reliefshade
@@ -20,6 +25,24 @@ public:
   static std::string Take(const std::string& otherwise);
   static bool Any();
 };
+
+struct CloseDataset
+{
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using DatasetPointer = std::unique_ptr<GDALDataset, CloseDataset>;
+
+/// Opens a raster for reading; null if the file is not one of GDAL's. Throws a std::runtime_error.
+DatasetPointer openRaster(const std::string& file);
+
+/// Takes over where the raster lies. Throws a std::runtime_error if it is turned.
+void readTransform(GDALDataset* dataset, GeoReference& reference);
+
+/// Empty for none.
+std::string wellKnownText(const OGRSpatialReference* crs);
+
+/// For GDAL's long steps: whether to go on.
+int goOnUnlessInterrupted(double, const char*, void*);
 
 }
 

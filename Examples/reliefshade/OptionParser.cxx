@@ -40,33 +40,6 @@ std::string wrapped(const std::string& text, std::size_t width)
   return lines;
 }
 
-//------------------------------------------------------------------------------
-/// Numbers between commas, as many as one of `counts` says.
-std::vector<double> toNumbers(
-  const std::string& option, const std::string& list, const std::vector<std::size_t>& counts)
-{
-  std::vector<double> numbers;
-  for (const std::string& word : split(list))
-  {
-    numbers.push_back(toNumber(option, word));
-    if (!std::isfinite(numbers.back()))
-    {
-      throw Failure(option, "'" + word + "' is not finite", UsageFailure);
-    }
-  }
-  if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end())
-  {
-    std::string expected;
-    for (const std::size_t count : counts)
-    {
-      expected += (expected.empty() ? "" : " or ") + std::to_string(count);
-    }
-    throw Failure(
-      option, "'" + list + "' is not " + expected + " numbers separated by commas", UsageFailure);
-  }
-  return numbers;
-}
-
 }
 
 namespace reliefshade
@@ -101,6 +74,32 @@ std::vector<std::string> split(const std::string& list)
     }
   }
   return words;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> toNumbers(
+  const std::string& option, const std::string& list, const std::vector<std::size_t>& counts)
+{
+  std::vector<double> numbers;
+  for (const std::string& word : split(list))
+  {
+    numbers.push_back(toNumber(option, word));
+    if (!std::isfinite(numbers.back()))
+    {
+      throw Failure(option, "'" + word + "' is not finite", UsageFailure);
+    }
+  }
+  if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end())
+  {
+    std::string expected;
+    for (const std::size_t count : counts)
+    {
+      expected += (expected.empty() ? "" : " or ") + std::to_string(count);
+    }
+    throw Failure(
+      option, "'" + list + "' is not " + expected + " numbers separated by commas", UsageFailure);
+  }
+  return numbers;
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,10 @@ double toNumber(const std::string& option, const std::string& word);
 /// A whole number of at least 1.
 int toCount(const std::string& option, const std::string& word);
 
+/// Finite numbers between commas, as many as one of `counts` says.
+std::vector<double> toNumbers(
+  const std::string& option, const std::string& list, const std::vector<std::size_t>& counts);
+
 /// The parts of a list between its commas; at least one.
 std::vector<std::string> split(const std::string& list);
 

@@ -2,11 +2,11 @@
 #include "Options.h"
 
 #include "Failure.h"
+#include "LightOptions.h"
 #include "MessageLog.h"
 #include "OptionParser.h"
 #include "RasterWriter.h"
 
-#include "vtkLight.h"
 #include "vtkReliefMaterial.h"
 
 #include <CLI/CLI.hpp>
@@ -38,25 +38,6 @@ std::string text(const double* values, int count)
     list += "," + text(values[i]);
   }
   return list;
-}
-
-//------------------------------------------------------------------------------
-/// Intensity and colour of a light from the numbers behind its `used` first ones.
-void setPower(
-  const std::string& option, vtkLight* light, const std::vector<double>& numbers, std::size_t used)
-{
-  if (std::any_of(numbers.begin() + used, numbers.end(), [](double n) { return n < 0.0; }))
-  {
-    throw Failure(option, "intensity and colour are at least 0", UsageFailure);
-  }
-  if (numbers.size() > used)
-  {
-    light->SetIntensity(numbers[used]);
-  }
-  if (numbers.size() > used + 1)
-  {
-    light->SetDiffuseColor(numbers[used + 1], numbers[used + 2], numbers[used + 3]);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -112,42 +93,6 @@ void addInputOptions(OptionParser& parser, Options& options)
     "Which band of the file holds the heights. At least 1. Default: 1, but pictures of several "
     "colours are refused",
     [&options](const std::string& word) { options.Reading.Band = toCount("--band", word); });
-}
-
-//------------------------------------------------------------------------------
-void addLightOptions(OptionParser& parser, Options& options)
-{
-  parser.SetGroup("Lights (may be repeated; they add up)");
-  vtkReliefScene* scene = options.Scene;
-  // Triggered one by one: the lights keep the order of the command line.
-  parser
-    .Numbers("--sun", "AZ,ALT[,I[,R,G,B]]",
-      "A light that is infinitely far. Azimuth clockwise from north (the upper edge), altitude "
-      "above the horizon from -90 to 90, both in degrees; intensity and linear colour, at least 0, "
-      "default: 1 and 1,1,1. Without any light: --sun 315,45",
-      { 2, 3, 6 },
-      [scene](const std::vector<double>& n)
-      {
-        vtkLight* sun = scene->AddSun(n[0], n[1]);
-        refuseWhatTheSceneRefuses("--sun");
-        setPower("--sun", sun, n, 2);
-      })
-    ->trigger_on_parse();
-  parser
-    .Numbers("--point", "X,Y,Z[,I[,R,G,B]]",
-      "A light at a place, see Coordinates below; intensity and colour as for --sun. It does not "
-      "fade with distance",
-      { 3, 4, 7 },
-      [scene](const std::vector<double>& n)
-      {
-        vtkNew<vtkLight> light;
-        light->SetLightTypeToSceneLight();
-        light->PositionalOn();
-        light->SetPosition(n[0], n[1], n[2]);
-        setPower("--point", light, n, 3);
-        scene->AddLight(light);
-      })
-    ->trigger_on_parse();
 }
 
 //------------------------------------------------------------------------------
@@ -228,6 +173,29 @@ void addMaterialOptions(OptionParser& parser, Options& options)
       material->SetFloorHeight(h);
       material->UseFloorOn();
     });
+}
+
+//------------------------------------------------------------------------------
+void addPictureOptions(OptionParser& parser, Options& options)
+{
+  parser.SetGroup("Pictures as colours");
+  const std::string where =
+    " One component is grey, two are grey and alpha, three red, green and blue, four these and "
+    "alpha; where alpha is below 1, and beyond the picture, ";
+  parser.Word("--texture", "FILE",
+    "A picture in place of --diffuse, see Pictures below." + where + "--tint or --diffuse shows",
+    [&options](const std::string& word) { options.DiffuseTexture = word; });
+  parser.Word("--base-texture", "FILE", "The same for --base",
+    [&options](const std::string& word) { options.BaseTexture = word; });
+  parser.Word("--specular-texture", "FILE", "The same for --specular; it shows with --ks",
+    [&options](const std::string& word) { options.SpecularTexture = word; });
+  parser.Word("--tint", "FILE",
+    "Colours by height in place of --diffuse: a text file as for 'gdaldem color-relief'. In each "
+    "line a height as the input file has it, or a share of its range (50%), then red, green, blue "
+    "and perhaps alpha from 0 to 255, or a colour's name; blanks, commas, colons or tabs between "
+    "them, # before a comment. Colours between two heights are interpolated. nv is passed over: "
+    "samples without data stay transparent",
+    [&options](const std::string& word) { options.Tint = word; });
 }
 
 //------------------------------------------------------------------------------
@@ -348,6 +316,11 @@ const char* const Footer =
   "  metres that they are along the parallel and the meridian at the raster's centre, on\n"
   "  its ellipsoid. Heights are taken for metres unless the file names another unit. All\n"
   "  this gives way to --spacing, which brings a unit of your own.\n"
+  "Pictures\n"
+  "  A picture and heights that both have a georeference lie where the map has them, whatever\n"
+  "  their resolution; a picture in another coordinate reference system, or of another place,\n"
+  "  is refused. Any other picture is stretched over the whole of the heights, edge to edge.\n"
+  "  8 and 16 bit pictures are taken for sRGB-encoded, floating point ones for linear.\n"
   "Exit codes\n"
   "  0 done; 1 a file could not be read, shaded or written; 2 the command line was wrong;\n"
   "  130 interrupted. After an error a file that was there before is untouched.\n"
@@ -356,6 +329,7 @@ const char* const Footer =
   "  reliefshade terrain.tif shaded.png --sun 315,30 --sun 45,60,0.3 --depth 200\n"
   "  reliefshade grid.asc shaded.exr --degrees --layers illumination,normals\n"
   "  reliefshade terrain.tif --layers comp.exr --ks 0.2\n"
+  "  reliefshade terrain.tif shaded.png --preset sun-and-sky,315,30 --texture orthophoto.tif\n"
   "  reliefshade relief.png wax.png --height-scale 0.01 --kf 0.5 --point 100,200,80";
 
 //------------------------------------------------------------------------------
@@ -382,6 +356,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
   addInputOptions(parser, options);
   addLightOptions(parser, options);
   addMaterialOptions(parser, options);
+  addPictureOptions(parser, options);
   addRunOptions(parser, options);
   app.set_help_flag("-h,--help", "Prints this and ends")->group("Output");
   app
@@ -421,6 +396,10 @@ bool parseOptions(int argc, char* argv[], Options& options)
   {
     throw Failure(
       options.Input.empty() ? "INPUT" : "OUTPUT", "is missing; see --help", UsageFailure);
+  }
+  if (options.MirrorEnvironment && options.Environment.empty())
+  {
+    throw Failure("--env-mirror", "there is no picture: --env gives it", UsageFailure);
   }
   const auto place = [](const std::string& file)
   { return std::filesystem::absolute(file).lexically_normal(); };

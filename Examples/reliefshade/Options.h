@@ -29,6 +29,14 @@ struct Options
   /// Material, lights and accuracy. The positions of positional lights are still those of the map.
   vtkNew<vtkReliefScene> Scene;
 
+  /// Files; empty for none. The scene has an environment for the first, still without an image.
+  std::string Environment;
+  bool MirrorEnvironment = false;
+  std::string DiffuseTexture;
+  std::string BaseTexture;
+  std::string SpecularTexture;
+  std::string Tint;
+
   /// VTK_FLOAT, VTK_UNSIGNED_CHAR, or VTK_VOID to go by the output's extension.
   int OutputType = VTK_VOID;
   /// Names of layers, of those that layerNames() lists.

@@ -56,14 +56,21 @@ std::array<double, 2> metresPerRadian(double latitude, double a, double f1)
 }
 
 //------------------------------------------------------------------------------
+MapGrid mapGrid(const GeoReference& reference, int rows)
+{
+  const std::array<double, 6>& t = reference.Transform;
+  const double southRow = reference.SouthUp ? 0.5 : rows - 0.5;
+  return { { t[0] + 0.5 * t[1], t[3] + southRow * t[5] }, { t[1], std::abs(t[5]) } };
+}
+
+//------------------------------------------------------------------------------
 void placeOnMap(Raster& raster)
 {
   int size[3];
   raster.Heights->GetDimensions(size);
-  const std::array<double, 6>& t = raster.Reference.Transform;
-  const double southRow = raster.Reference.SouthUp ? 0.5 : size[1] - 0.5;
-  raster.MapOrigin = { t[0] + 0.5 * t[1], t[3] + southRow * t[5] };
-  raster.MapStep = { t[1], std::abs(t[5]) };
+  const MapGrid grid = mapGrid(raster.Reference, size[1]);
+  raster.MapOrigin = grid.Origin;
+  raster.MapStep = grid.Step;
 }
 
 //------------------------------------------------------------------------------

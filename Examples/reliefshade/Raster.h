@@ -55,6 +55,15 @@ struct Raster
 /// an ellipsoid of equatorial radius `a` (in metres) and inverse flattening `f1` (0 for a sphere).
 std::array<double, 2> metresPerRadian(double latitude, double a, double f1);
 
+/// Where the samples of a raster lie on the map: the centre of the first one (the southern row's),
+/// and the way from one to the next.
+struct MapGrid
+{
+  std::array<double, 2> Origin;
+  std::array<double, 2> Step;
+};
+MapGrid mapGrid(const GeoReference& reference, int rows);
+
 /// Fills in MapOrigin and MapStep from the reference's transform and the extent of the heights.
 void placeOnMap(Raster& raster);
 

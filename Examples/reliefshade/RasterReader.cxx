@@ -20,21 +20,11 @@ namespace
 using namespace reliefshade;
 
 //------------------------------------------------------------------------------
-void readPicture(const std::string& file, const ReadOptions& options, Raster& raster)
+void readGrey(const std::string& file, const ReadOptions& options, Raster& raster)
 {
   vtkNew<vtkOpenImageIOReader> reader;
-  reader->SetFileName(file.c_str());
   reader->AlphaAsMaskOn();
-  watch(reader, false);
-  {
-    const Silence silence;
-    reader->Update();
-  }
-  stopIfInterrupted();
-  if (hasError())
-  {
-    throw std::runtime_error(takeError());
-  }
+  updateReader(reader, file);
   vtkImageData* picture = reader->GetOutput();
   const bool masked = picture->GetPointData()->GetArray("Alpha") != nullptr;
   const int components = picture->GetNumberOfScalarComponents();
@@ -81,7 +71,7 @@ Raster readRaster(const std::string& file, const ReadOptions& options)
     }
     if (!readReferenced(file, options, raster))
     {
-      readPicture(file, options, raster);
+      readGrey(file, options, raster);
     }
     if (!options.NoDataFromFile)
     {
@@ -102,6 +92,22 @@ Raster readRaster(const std::string& file, const ReadOptions& options)
   catch (const std::exception& error)
   {
     throw Failure(file, withoutName(oneLine(error.what()), file));
+  }
+}
+
+//------------------------------------------------------------------------------
+void updateReader(vtkOpenImageIOReader* reader, const std::string& file)
+{
+  reader->SetFileName(file.c_str());
+  watch(reader, false);
+  {
+    const Silence silence;
+    reader->Update();
+  }
+  stopIfInterrupted();
+  if (hasError())
+  {
+    throw std::runtime_error(takeError());
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <string>
 
+class vtkOpenImageIOReader;
+
 namespace reliefshade
 {
 
@@ -24,6 +26,10 @@ struct ReadOptions
 /// Reads heights from any file that one of the backends knows, in the file's own number type.
 /// Throws a Failure that names the file.
 Raster readRaster(const std::string& file, const ReadOptions& options);
+
+/// Reads a file that OpenImageIO knows, for the program to be interrupted. Throws a
+/// std::runtime_error.
+void updateReader(vtkOpenImageIOReader* reader, const std::string& file);
 
 /// Whether the coordinates could be degrees although nothing in the file says so.
 bool looksLikeDegrees(const Raster& raster);

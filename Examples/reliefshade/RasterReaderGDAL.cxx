@@ -8,18 +8,12 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
 namespace
 {
 
 using namespace reliefshade;
-
-struct CloseDataset
-{
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
 
 /// The type of a band's samples in GDAL's and in VTK's words.
 struct SampleType
@@ -63,11 +57,6 @@ SampleType sampleType(GDALRasterBand* band)
 }
 
 //------------------------------------------------------------------------------
-int goOn(double, const char*, void*)
-{
-  return interrupted() ? FALSE : TRUE;
-}
-
 /// Reads a band as it is into a new image, its southern row first.
 vtkSmartPointer<vtkImageData> readBand(GDALRasterBand* band, SampleType type, bool southUp)
 {
@@ -81,7 +70,7 @@ vtkSmartPointer<vtkImageData> readBand(GDALRasterBand* band, SampleType type, bo
   const GSpacing rowSize = columns * sampleSize;
   GDALRasterIOExtraArg extra;
   INIT_RASTERIO_EXTRA_ARG(extra);
-  extra.pfnProgress = goOn;
+  extra.pfnProgress = goOnUnlessInterrupted;
   const CPLErr error =
     band->RasterIO(GF_Read, 0, 0, columns, rows, southUp ? first : first + (rows - 1) * rowSize,
       columns, rows, type.Gdal, sampleSize, southUp ? rowSize : -rowSize, &extra);
@@ -172,13 +161,7 @@ void readReference(GDALDataset* dataset, const ReadOptions& options, Raster& ras
   {
     return;
   }
-  char* text = nullptr;
-  const char* const format[] = { "FORMAT=WKT2_2018", nullptr };
-  if (crs->exportToWkt(&text, format) == OGRERR_NONE)
-  {
-    reference.Crs = text;
-  }
-  CPLFree(text);
+  reference.Crs = wellKnownText(crs);
   if (crs->IsGeographic())
   {
     spaceByDegrees(raster, crs->GetAngularUnits(), crs->GetSemiMajor(), crs->GetInvFlattening());
@@ -199,15 +182,10 @@ namespace reliefshade
 bool readReferenced(const std::string& file, const ReadOptions& options, Raster& raster)
 {
   GdalErrors errors;
-  if (!GDALIdentifyDriverEx(file.c_str(), GDAL_OF_RASTER, nullptr, nullptr))
-  {
-    return false;
-  }
-  const std::unique_ptr<GDALDataset, CloseDataset> dataset(
-    GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  const DatasetPointer dataset = openRaster(file);
   if (!dataset)
   {
-    throw std::runtime_error(GdalErrors::Take("cannot be opened"));
+    return false;
   }
   const int count = dataset->GetRasterCount();
   if (count < 1 || options.Band > count)
@@ -223,14 +201,7 @@ bool readReferenced(const std::string& file, const ReadOptions& options, Raster&
   GDALRasterBand* band = dataset->GetRasterBand(std::max(options.Band, 1));
 
   GeoReference& reference = raster.Reference;
-  std::array<double, 6>& t = reference.Transform;
-  reference.Present = dataset->GetGeoTransform(t.data()) == CE_None;
-  if (reference.Present && (t[2] != 0.0 || t[4] != 0.0 || t[1] <= 0.0 || t[5] == 0.0))
-  {
-    throw std::runtime_error(
-      "its rows do not run from west to east; gdalwarp makes a raster that is north up");
-  }
-  reference.SouthUp = reference.Present && t[5] > 0.0;
+  readTransform(dataset.get(), reference);
 
   raster.Heights = isEsriGrid(file) ? readEsriGrid(file).Heights
                                     : readBand(band, sampleType(band), reference.SouthUp);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EsriGrid.h"
+#include "Picture.h"
 #include "RasterReader.h"
 
 #include "vtkMath.h"
@@ -26,6 +27,18 @@ bool readReferenced(const std::string& file, const ReadOptions& options, Raster&
     // Other ellipsoids than WGS 84's make a difference of less than a thousandth.
     spaceByDegrees(raster, vtkMath::RadiansFromDegrees(1.0), Wgs84Radius, Wgs84InverseFlattening);
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool readReferencedPicture(const std::string&, Picture&)
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool sameReferenceSystem(const std::string&, const std::string&)
+{
   return true;
 }
 

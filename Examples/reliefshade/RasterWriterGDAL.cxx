@@ -77,12 +77,6 @@ private:
   fs::path Path;
 };
 
-//------------------------------------------------------------------------------
-int goOn(double, const char*, void*)
-{
-  return interrupted() ? FALSE : TRUE;
-}
-
 }
 
 namespace reliefshade
@@ -142,7 +136,7 @@ void writeGeoTiff(const std::string& file, vtkImageData* image, const GeoReferen
   const GSpacing rowSize = size[0] * sampleSize;
   GDALRasterIOExtraArg extra;
   INIT_RASTERIO_EXTRA_ARG(extra);
-  extra.pfnProgress = goOn;
+  extra.pfnProgress = goOnUnlessInterrupted;
   const CPLErr error = dataset->RasterIO(GF_Write, 0, 0, size[0], size[1],
     reference.SouthUp ? first : first + (size[1] - 1) * rowSize, size[0], size[1], type, components,
     nullptr, sampleSize, reference.SouthUp ? rowSize : -rowSize, componentSize, &extra);

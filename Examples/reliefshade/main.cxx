@@ -3,23 +3,27 @@
 // reliefshade: shades a height field from a file into a picture. Options.cxx describes the command
 // line, RasterReader.h and RasterWriter.h the files; this is what happens between them.
 
+#include "ColourTable.h"
 #include "Failure.h"
 #include "LayersWriter.h"
 #include "MessageLog.h"
 #include "Options.h"
+#include "Picture.h"
 #include "RasterReader.h"
 #include "RasterWriter.h"
 #include "Watch.h"
 
 #include "vtkCollectionRange.h"
 #include "vtkDataArray.h"
+#include "vtkImageFlip.h"
 #include "vtkImageReliefShading.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPointData.h"
-#include "vtkReliefMaterial.h"
+#include "vtkReliefEnvironment.h"
 #include "vtkReliefStatistics.h"
 #include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,6 +33,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -167,6 +172,59 @@ void setThreads(int count)
 }
 
 //------------------------------------------------------------------------------
+/// Reads the pictures that give colour and light.
+void readPictures(const Options& options, const Raster& raster, vtkImageReliefShading* shading)
+{
+  if (!options.Environment.empty())
+  {
+    vtkSmartPointer<vtkImageData> image = readPicture(options.Environment);
+    if (options.MirrorEnvironment)
+    {
+      vtkNew<vtkImageFlip> mirror;
+      mirror->SetInputData(image);
+      mirror->SetFilteredAxis(0);
+      mirror->Update();
+      image = mirror->GetOutput();
+    }
+    options.Scene->GetEnvironment()->SetImage(image);
+  }
+  if (!options.DiffuseTexture.empty())
+  {
+    shading->SetDiffuseTextureData(readTexture(options.DiffuseTexture, raster));
+  }
+  if (!options.BaseTexture.empty())
+  {
+    shading->SetBaseTextureData(readTexture(options.BaseTexture, raster));
+  }
+  if (!options.SpecularTexture.empty())
+  {
+    shading->SetSpecularTextureData(readTexture(options.SpecularTexture, raster));
+  }
+  if (!options.Tint.empty())
+  {
+    shading->SetLookupTable(readColourTable(options.Tint, raster));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The file that an error of the shading is about.
+std::string subject(const Options& options, const std::string& error)
+{
+  const std::pair<const char*, const std::string&> files[] = {
+    { "environment", options.Environment }, { "diffuse texture", options.DiffuseTexture },
+    { "base texture", options.BaseTexture }, { "specular texture", options.SpecularTexture }
+  };
+  for (const auto& file : files)
+  {
+    if (!file.second.empty() && error.find(file.first) != std::string::npos)
+    {
+      return file.second;
+    }
+  }
+  return options.Input;
+}
+
+//------------------------------------------------------------------------------
 void run(const Options& options)
 {
   Raster raster = readRaster(options.Input, options.Reading);
@@ -221,6 +279,7 @@ void run(const Options& options)
   }
   shading->SetScene(options.Scene);
   shading->SetOutputScalarType(type);
+  readPictures(options, raster, shading);
   generateLayers(options.Layers, shading);
   if (layersWriter)
   {
@@ -233,7 +292,8 @@ void run(const Options& options)
   stopIfInterrupted();
   if (hasError())
   {
-    throw Failure(options.Input, takeError());
+    const std::string error = takeError();
+    throw Failure(subject(options, error), error);
   }
 
   if (writer)

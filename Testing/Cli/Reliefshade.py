@@ -117,6 +117,12 @@ class Case(unittest.TestCase):
         self.good(words[0], "shaded.png", *words[1:])
         return Picture(self.path("shaded.png"))
 
+    def assertColour(self, linear, *words, picture=None):
+        picture = picture or self.shade(*words)
+        expected = [srgb(value) for value in linear] + [255]
+        for got, wanted in zip(picture[4, 4], expected):
+            self.assertLessEqual(abs(got - wanted), 1, (picture[4, 4], expected))
+
     def statistics(self, *words):
         """The statistics of a run as a dictionary."""
         output = self.good(words[0], "statistics.png", "--statistics", *words[1:])
@@ -160,6 +166,13 @@ class Case(unittest.TestCase):
         with open(self.path(name), "wb") as stream:
             stream.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header))
             stream.write(chunk(b"IDAT", zlib.compress(data)) + chunk(b"IEND", b""))
+        return name
+
+    def ppm(self, rows, name):
+        """Writes an 8-bit RGB picture; the rows of (r, g, b) begin with the upper one."""
+        with open(self.path(name), "wb") as stream:
+            stream.write(b"P6 %d %d 255\n" % (len(rows[0]), len(rows)))
+            stream.write(bytes(c for row in rows for colour in row for c in colour))
         return name
 
     def tool(self, *words):
