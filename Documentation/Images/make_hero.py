@@ -133,6 +133,7 @@ def main():
     run_example("DrapeTerrain", "drape-terrain.png", HEIGHTS)
     run_example("TintTerrain", "tint-terrain.png", HEIGHTS)
     run_example("TextureTerrain", "texture-terrain.png", HEIGHTS)
+    run_example("DragLight", "drag-light.png", HEIGHTS)
     run_example("Medallion", "medallion.png")
     run_example("BacklitMedallion", "backlit-medallion.png")
 

@@ -8,13 +8,14 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkWindowToImageFilter
 
 
-def show_or_write(window, file_name=None):
-    """Without a file name, shows the window until it is closed. With one, renders off screen and
-    writes a PNG."""
+def show_or_write(window, file_name=None, interactor=None):
+    """Without a file name, shows the window until it is closed, with the given interactor or one
+    that turns the camera. With a file name, renders off screen and writes a PNG."""
     if file_name is None:
-        interactor = vtkRenderWindowInteractor()
-        interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        interactor.SetRenderWindow(window)
+        if interactor is None:
+            interactor = vtkRenderWindowInteractor()
+            interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+            interactor.SetRenderWindow(window)
         window.Render()
         interactor.Start()
         return

@@ -8,7 +8,8 @@ from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm
 
 CLASSES = ("vtkImageReliefShading", "vtkOpenEXRLayerWriter", "vtkOpenImageIOReader",
-           "vtkOpenImageIOWriter", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
+           "vtkOpenImageIOWriter", "vtkReliefEnvironment", "vtkReliefLightRepresentation",
+           "vtkReliefLightWidget", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
 
 
 class TestImport(unittest.TestCase):
