@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkReliefEnvironment.h"
 
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenImageIOReader.h"
 #include "vtkPointData.h"
 #include "vtkReliefAngles.h"
 #include "vtkReliefConversion.h"
+#include "vtkReliefMessages.h"
 #include "vtkReliefSetters.h"
 #include "vtkSmartPointer.h"
 
@@ -183,8 +187,47 @@ void vtkReliefEnvironment::SetImage(vtkImageData* image)
     this->Internal->MapTime = 0;
     this->Internal->Lights.clear();
     this->Internal->LightsMadeFrom = {};
+    this->ImageSource = UserImage;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefEnvironment::SetImageToFile(const char* fileName)
+{
+  vtkNew<vtkOpenImageIOReader> reader;
+  vtkNew<vtkReliefFirstMessage> message;
+  reader->AddObserver(vtkCommand::ErrorEvent, message);
+  reader->SetFileName(fileName);
+  reader->Update();
+  if (reader->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    message->Text.erase(message->Text.find_last_not_of('.') + 1);
+    vtkErrorMacro("SetImageToFile: " << message->Text << "; the old image is kept.");
+    return false;
+  }
+  this->SetImage(reader->GetOutput());
+  this->SetFileName(fileName);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefEnvironment::SetFileName(const char* fileName)
+{
+  const std::string name = fileName ? fileName : "";
+  const int source = name.empty() ? UserImage : File;
+  if (this->ImageSource != source || this->FileName != name)
+  {
+    this->ImageSource = source;
+    this->FileName = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkReliefEnvironment::GetFileName()
+{
+  return this->ImageSource == File ? this->FileName.c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -199,6 +242,7 @@ void vtkReliefEnvironment::SetImageToWhiteDome()
   relief::RadianceMap dome(1, 2);
   dome.Set(0, 0, glm::dvec3(1.0));
   this->SetImage(MakeImage(dome));
+  this->ImageSource = WhiteDome;
 }
 
 //------------------------------------------------------------------------------
@@ -216,6 +260,10 @@ void vtkReliefEnvironment::SetImageToClearSky(double azimuth, double altitude, d
   glm::dvec3 sun;
   vtkReliefDirection(azimuth, altitude, &sun.x);
   this->SetImage(MakeImage(relief::ClearSky(sun, turbidity, 256, 128)));
+  this->ImageSource = ClearSky;
+  this->ClearSkyParameters[0] = azimuth;
+  this->ClearSkyParameters[1] = altitude;
+  this->ClearSkyParameters[2] = turbidity;
 }
 
 //------------------------------------------------------------------------------
@@ -251,7 +299,12 @@ vtkMTimeType vtkReliefEnvironment::GetMTime()
 void vtkReliefEnvironment::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  static const char* const sources[] = { "UserImage", "WhiteDome", "ClearSky", "File" };
   os << indent << "Image: " << this->GetImage() << "\n";
+  os << indent << "ImageSource: " << sources[this->ImageSource] << "\n";
+  os << indent << "FileName: " << (this->GetFileName() ? this->GetFileName() : "(none)") << "\n";
+  os << indent << "ClearSkyParameters: " << this->ClearSkyParameters[0] << " "
+     << this->ClearSkyParameters[1] << " " << this->ClearSkyParameters[2] << "\n";
   os << indent << "RotationZ: " << this->RotationZ << "\n";
   os << indent << "Tilt: " << this->Tilt << "\n";
   os << indent << "Intensity: " << this->Intensity << "\n";

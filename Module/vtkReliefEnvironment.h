@@ -35,6 +35,7 @@
 #include "vtkReliefShadingModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class vtkImageData;
 class vtkReliefEnvironmentSampler;
@@ -70,6 +71,33 @@ public:
    * clear. Other values are refused, and the old image is kept.
    */
   void SetImageToClearSky(double azimuth, double altitude, double turbidity = 3.0);
+
+  /**
+   * Reads a file with vtkOpenImageIOReader and sets its image. Returns false, and keeps the old
+   * image, if the file cannot be read; one error then says which and why.
+   */
+  bool SetImageToFile(VTK_FILEPATH const char* fileName);
+
+  enum ImageSources
+  {
+    UserImage = 0,
+    WhiteDome = 1,
+    ClearSky = 2,
+    File = 3
+  };
+
+  ///@{
+  /**
+   * Where the image comes from, for files that name it instead of holding it (vtkReliefSceneFile).
+   * SetImage makes it UserImage, whose origin is not known, until SetFileName tells which file it
+   * was read from. FileName is null unless the source is File, and ClearSkyParameters, azimuth,
+   * altitude and turbidity, mean nothing unless it is ClearSky.
+   */
+  vtkGetMacro(ImageSource, int);
+  void SetFileName(VTK_FILEPATH const char* fileName);
+  const char* GetFileName();
+  vtkGetVector3Macro(ClearSkyParameters, double);
+  ///@}
 
   ///@{
   /**
@@ -155,6 +183,9 @@ protected:
   vtkReliefEnvironment();
   ~vtkReliefEnvironment() override;
 
+  int ImageSource = UserImage;
+  std::string FileName;
+  double ClearSkyParameters[3] = { 0.0, 0.0, 0.0 };
   double RotationZ = 0.0;
   double Tilt = 0.0;
   double Intensity = 1.0;

@@ -9,7 +9,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm
 
 CLASSES = ("vtkImageReliefShading", "vtkOpenEXRLayerWriter", "vtkOpenImageIOReader",
            "vtkOpenImageIOWriter", "vtkReliefEnvironment", "vtkReliefLightRepresentation",
-           "vtkReliefLightWidget", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefStatistics")
+           "vtkReliefLightWidget", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefSceneFile",
+           "vtkReliefStatistics")
 
 
 class TestImport(unittest.TestCase):

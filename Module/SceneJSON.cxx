@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneJSON.h"
+
+#include "vtkErrorCode.h"
+#include "vtkObject.h"
+
+#include "ImageFileAccess.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <sstream>
+
+namespace relief::io
+{
+namespace
+{
+const char* const Infinite = "infinite";
+
+// The fewest digits, not in exponents where people would not write them.
+std::string NumberText(double value)
+{
+  if (value == 0.0)
+  {
+    return std::signbit(value) ? "-0.0" : "0";
+  }
+  if (!std::isfinite(value))
+  {
+    throw Failure(vtkErrorCode::UnknownError, "a light has numbers that are not finite");
+  }
+  const double size = std::abs(value);
+  char text[64];
+  const std::to_chars_result end = size >= 1e-5 && size < 1e15
+    ? std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed)
+    : std::to_chars(text, text + sizeof(text), value);
+  return std::string(text, end.ptr);
+}
+
+std::string Quoted(const std::string& text)
+{
+  return Json::valueToQuotedString(text.c_str());
+}
+
+// A value as part of a message.
+std::string Shown(const Json::Value& value)
+{
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = "";
+  std::string text = Json::writeString(builder, value);
+  const std::size_t longest = 60;
+  return text.size() > longest ? text.substr(0, longest) + " ..." : text;
+}
+
+std::string Listed(const std::vector<const char*>& names)
+{
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + Quoted(names[i]);
+  }
+  return text;
+}
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Item(const char* key, const std::string& value)
+{
+  this->Result += this->First ? "" : ",";
+  this->Result += this->Depth > 0 ? "\n" + std::string(2 * this->Depth, ' ') : "";
+  this->Result += (key ? Quoted(key) + ": " : "") + value;
+  this->First = false;
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Begin(const char* key, char bracket)
+{
+  this->Item(key, std::string(1, bracket));
+  ++this->Depth;
+  this->First = true;
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::End(char bracket)
+{
+  --this->Depth;
+  this->Result += this->First ? "" : "\n" + std::string(2 * this->Depth, ' ');
+  this->Result += bracket;
+  this->First = false;
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Number(const char* key, double value, const std::function<void(double)>&)
+{
+  this->Item(key, NumberText(value));
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Length(const char* key, double value, const std::function<void(double)>&)
+{
+  this->Item(key, std::isinf(value) ? Quoted(Infinite) : NumberText(value));
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Count(const char* key, int value, const std::function<void(int)>&)
+{
+  this->Item(key, std::to_string(value));
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Flag(const char* key, bool value, const std::function<void(bool)>&)
+{
+  this->Item(key, value ? "true" : "false");
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Choice(const char* key, int value, const std::vector<const char*>& names,
+  const std::function<void(int)>&)
+{
+  this->Item(key, Quoted(names[value]));
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Vector(
+  const char* key, const double* value, int size, const std::function<void(const double*)>&)
+{
+  std::string text;
+  for (int i = 0; i < size; ++i)
+  {
+    text += (i == 0 ? "" : ", ") + NumberText(value[i]);
+  }
+  this->Item(key, "[" + text + "]");
+}
+
+//------------------------------------------------------------------------------
+void JSONWriter::Text(const char* key, const std::string& value)
+{
+  this->Item(key, Quoted(value));
+}
+
+//------------------------------------------------------------------------------
+JSONDocument::JSONDocument(const std::string& text)
+  : Source(text)
+  , Message(vtkSmartPointer<vtkReliefFirstMessage>::New())
+{
+  Json::CharReaderBuilder builder;
+  Json::CharReaderBuilder::strictMode(&builder.settings_);
+  builder["stackLimit"] = 32;
+  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
+  std::string errors;
+  bool parsed = false;
+  try
+  {
+    parsed = reader->parse(text.data(), text.data() + text.size(), &this->Root, &errors);
+  }
+  catch (const Json::Exception&)
+  {
+    throw Failure(vtkErrorCode::FileFormatError, "it is no scene: it is nested too deeply");
+  }
+  if (!parsed)
+  {
+    // The first of them: "* Line 3, Column 5" and, below it, what is wrong.
+    std::istringstream lines(errors);
+    std::string where;
+    std::string what;
+    std::getline(lines, where);
+    std::getline(lines, what);
+    where.erase(0, where.find_first_not_of("* "));
+    what.erase(0, what.find_first_not_of(' '));
+    std::transform(where.begin(), where.end(), where.begin(),
+      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    throw Failure(vtkErrorCode::FileFormatError,
+      "it is not JSON: " + OneLine(what.empty() ? where : where + ": " + what));
+  }
+  if (!this->Root.isObject())
+  {
+    throw Failure(vtkErrorCode::FileFormatError,
+      "it holds " + Shown(this->Root) + ", an object with the key \"reliefScene\" is expected");
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONDocument::Watch(vtkObject* object)
+{
+  object->AddObserver(vtkCommand::ErrorEvent, this->Message);
+}
+
+//------------------------------------------------------------------------------
+int JSONDocument::GetLine(const Json::Value& value) const
+{
+  const auto end =
+    this->Source.begin() + std::min<std::ptrdiff_t>(value.getOffsetStart(), this->Source.size());
+  return 1 + static_cast<int>(std::count(this->Source.begin(), end, '\n'));
+}
+
+//------------------------------------------------------------------------------
+JSONReader::JSONReader(JSONDocument& document)
+  : JSONReader(document, document.Root, std::string())
+{
+}
+
+//------------------------------------------------------------------------------
+JSONReader::JSONReader(JSONDocument& document, const Json::Value& object, const std::string& path)
+  : Document(document)
+  , Value(object)
+  , Path(path)
+{
+}
+
+//------------------------------------------------------------------------------
+std::string JSONReader::PathOf(const std::string& key) const
+{
+  return this->Path + (this->Path.empty() || key.empty() ? "" : ".") + key;
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Fail(const char* key, const std::string& reason)
+{
+  const Json::Value* value =
+    this->Value.isObject() && this->Value.isMember(key) ? &this->Value[key] : &this->Value;
+  const std::string path = this->PathOf(key);
+  throw Failure(vtkErrorCode::FileFormatError,
+    "line " + std::to_string(this->Document.GetLine(*value)) + (path.empty() ? "" : ", " + path) +
+      ": " + reason);
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Expect(const char* key, const std::string& what)
+{
+  this->Fail(key, Shown(this->Value[key]) + " was given, " + what + " is expected");
+}
+
+//------------------------------------------------------------------------------
+const Json::Value* JSONReader::Find(const char* key)
+{
+  this->Known.insert(key);
+  return this->Value.isMember(key) ? &this->Value[key] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+const Json::Value& JSONReader::Need(const char* key)
+{
+  const Json::Value* value = this->Find(key);
+  if (!value)
+  {
+    this->Fail("", "the key " + Quoted(key) + " is missing");
+  }
+  return *value;
+}
+
+//------------------------------------------------------------------------------
+// What an object says when it refuses: "SetDensity: -1 was given, ... is expected; 1 is kept."
+void JSONReader::Set(const char* key, const std::function<void()>& step)
+{
+  step();
+  std::string& text = this->Document.Message->Text;
+  if (!text.empty())
+  {
+    const std::size_t begin = text.find(": ");
+    text.erase(0, begin == std::string::npos ? 0 : begin + 2);
+    text.erase(std::min(text.rfind("; "), text.size()));
+    this->Fail(key, OneLine(text));
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Check(const std::function<void()>& step)
+{
+  this->Set("", step);
+}
+
+//------------------------------------------------------------------------------
+double JSONReader::NeedNumber(const char* key)
+{
+  const Json::Value& value = this->Need(key);
+  if (!value.isNumeric())
+  {
+    this->Expect(key, "a number");
+  }
+  return value.asDouble();
+}
+
+//------------------------------------------------------------------------------
+int JSONReader::NeedCount(const char* key)
+{
+  const Json::Value& value = this->Need(key);
+  if (!value.isInt())
+  {
+    this->Expect(key, "a whole number");
+  }
+  return value.asInt();
+}
+
+//------------------------------------------------------------------------------
+int JSONReader::NeedChoice(const char* key, const std::vector<const char*>& names)
+{
+  const Json::Value& value = this->Need(key);
+  const auto found =
+    value.isString() ? std::find(names.begin(), names.end(), value.asString()) : names.end();
+  if (found == names.end())
+  {
+    this->Expect(key, Listed(names));
+  }
+  return static_cast<int>(found - names.begin());
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::NeedVector(const char* key, double* result, int size)
+{
+  const Json::Value& value = this->Need(key);
+  bool good = value.isArray() && value.size() == static_cast<Json::ArrayIndex>(size);
+  for (int i = 0; good && i < size; ++i)
+  {
+    good = value[i].isNumeric();
+    result[i] = good ? value[i].asDouble() : 0.0;
+  }
+  if (!good)
+  {
+    this->Expect(key, "an array of " + std::to_string(size) + " numbers");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string JSONReader::NeedText(const char* key)
+{
+  const Json::Value& value = this->Need(key);
+  if (!value.isString() || value.asString().empty())
+  {
+    this->Expect(key, "a text");
+  }
+  return value.asString();
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Number(const char* key, double, const std::function<void(double)>& set)
+{
+  if (this->Find(key))
+  {
+    this->Set(key, [&] { set(this->NeedNumber(key)); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Length(const char* key, double, const std::function<void(double)>& set)
+{
+  const Json::Value* value = this->Find(key);
+  if (value && !value->isNumeric() && *value != Infinite)
+  {
+    this->Expect(key, "a number or " + Quoted(Infinite));
+  }
+  if (value)
+  {
+    this->Set(key,
+      [&]
+      { set(value->isNumeric() ? value->asDouble() : std::numeric_limits<double>::infinity()); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Count(const char* key, int, const std::function<void(int)>& set)
+{
+  if (this->Find(key))
+  {
+    this->Set(key, [&] { set(this->NeedCount(key)); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Flag(const char* key, bool, const std::function<void(bool)>& set)
+{
+  if (const Json::Value* value = this->Find(key))
+  {
+    if (!value->isBool())
+    {
+      this->Expect(key, "true or false");
+    }
+    this->Set(key, [&] { set(value->asBool()); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Choice(
+  const char* key, int, const std::vector<const char*>& names, const std::function<void(int)>& set)
+{
+  if (this->Find(key))
+  {
+    this->Set(key, [&] { set(this->NeedChoice(key, names)); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Vector(
+  const char* key, const double*, int size, const std::function<void(const double*)>& set)
+{
+  if (this->Find(key))
+  {
+    std::vector<double> value(size);
+    this->NeedVector(key, value.data(), size);
+    this->Set(key, [&] { set(value.data()); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Object(const char* key, const std::function<void(JSONReader&)>& read)
+{
+  if (const Json::Value* value = this->Find(key))
+  {
+    if (!value->isObject())
+    {
+      this->Expect(key, "an object");
+    }
+    JSONReader inner(this->Document, *value, this->PathOf(key));
+    read(inner);
+    inner.Finish();
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Objects(const char* key, const std::function<void(JSONReader&)>& read)
+{
+  const Json::Value* array = this->Find(key);
+  if (!array)
+  {
+    return;
+  }
+  if (!array->isArray() ||
+    !std::all_of(array->begin(), array->end(), [](const Json::Value& v) { return v.isObject(); }))
+  {
+    this->Expect(key, "an array of objects");
+  }
+  for (Json::ArrayIndex i = 0; i < array->size(); ++i)
+  {
+    JSONReader inner(
+      this->Document, (*array)[i], this->PathOf(key) + "[" + std::to_string(i) + "]");
+    read(inner);
+    inner.Finish();
+  }
+}
+
+//------------------------------------------------------------------------------
+void JSONReader::Finish()
+{
+  for (const std::string& key : this->Value.getMemberNames())
+  {
+    if (this->Known.count(key) == 0)
+    {
+      std::string& unknown = this->Document.UnknownKeys;
+      unknown += (unknown.empty() ? "" : ", ") + this->PathOf(key) + " (line " +
+        std::to_string(this->Document.GetLine(this->Value[key])) + ")";
+    }
+  }
+}
+}

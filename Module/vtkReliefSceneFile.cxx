@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefSceneFile.h"
+
+#include "vtkCollectionRange.h"
+#include "vtkErrorCode.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkReliefEnvironment.h"
+#include "vtkReliefMaterial.h"
+#include "vtkReliefScene.h"
+
+#include "ImageFileAccess.h"
+#include "SceneText.h"
+
+#include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
+
+#include <cerrno>
+#include <cstring>
+
+vtkStandardNewMacro(vtkReliefSceneFile);
+
+using relief::io::Failure;
+using relief::io::Guard;
+using relief::io::SceneFromText;
+using relief::io::SceneToText;
+using relief::io::TemporaryFile;
+using vtksys::SystemTools;
+
+namespace
+{
+const std::size_t LargestFile = 16 * 1024 * 1024; // a light takes some 200 bytes
+
+std::string FolderOf(const char* fileName)
+{
+  const std::string folder = fileName ? SystemTools::GetFilenamePath(fileName) : "";
+  return folder.empty() || folder.back() == '/' ? folder : folder + "/";
+}
+
+std::string CheckedName(const char* fileName)
+{
+  if (!fileName || !*fileName)
+  {
+    throw Failure(vtkErrorCode::NoFileNameError, "no file name is set");
+  }
+  return fileName;
+}
+
+std::string ReadWholeFile(const std::string& name)
+{
+  if (!SystemTools::FileExists(name))
+  {
+    throw Failure(vtkErrorCode::FileNotFoundError, "the file does not exist");
+  }
+  if (SystemTools::FileIsDirectory(name))
+  {
+    throw Failure(vtkErrorCode::CannotOpenFileError, "it is a folder");
+  }
+  errno = 0;
+  vtksys::ifstream file(name.c_str(), std::ios::binary);
+  if (!file)
+  {
+    throw Failure(vtkErrorCode::CannotOpenFileError, std::strerror(errno));
+  }
+  std::string text(LargestFile + 1, '\0');
+  file.read(&text[0], static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.empty())
+  {
+    throw Failure(vtkErrorCode::PrematureEndOfFileError, "the file is empty");
+  }
+  if (text.size() > LargestFile)
+  {
+    throw Failure(vtkErrorCode::FileFormatError, "the file is too large for a scene");
+  }
+  return text;
+}
+
+void WriteWholeFile(const std::string& name, const std::string& text)
+{
+  TemporaryFile file(name);
+  file.write(text.data(), text.size());
+  if (const int error = file.Finish())
+  {
+    throw Failure(
+      vtkErrorCode::OutOfDiskSpaceError, std::string("writing failed: ") + std::strerror(error));
+  }
+  file.Rename();
+}
+
+void MoveScene(vtkReliefScene* from, vtkReliefScene* to)
+{
+  to->SetMaterial(from->GetMaterial());
+  to->RemoveAllLights();
+  for (vtkLight* light : vtk::Range(from->GetLights()))
+  {
+    to->AddLight(light);
+  }
+  to->SetEnvironment(from->GetEnvironment());
+  to->SetHeightScale(from->GetHeightScale());
+  to->SetIntegrator(from->GetIntegrator());
+  to->SetTolerance(from->GetTolerance());
+  to->SetNumberOfSteps(from->GetNumberOfSteps());
+  to->SetNumberOfSunSamples(from->GetNumberOfSunSamples());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkReliefSceneFile::vtkReliefSceneFile()
+  : Scene(vtkSmartPointer<vtkReliefScene>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkReliefSceneFile::~vtkReliefSceneFile()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefSceneFile::SetScene(vtkReliefScene* scene)
+{
+  if (!scene)
+  {
+    vtkErrorMacro("SetScene: null was given, a vtkReliefScene is expected; the old scene is kept.");
+    return;
+  }
+  if (this->Scene != scene)
+  {
+    this->Scene = scene;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkReliefScene* vtkReliefSceneFile::GetScene()
+{
+  return this->Scene;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefSceneFile::GetSubject()
+{
+  return this->FileName && *this->FileName ? "\"" + std::string(this->FileName) + "\""
+                                           : "the scene";
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefSceneFile::Finish(const char* what, unsigned long code, const std::string& reason)
+{
+  this->ErrorCode = code;
+  if (code != vtkErrorCode::NoError)
+  {
+    vtkErrorMacro("Cannot " << what << " " << this->GetSubject() << ": " << reason << ".");
+  }
+  return code == vtkErrorCode::NoError;
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefSceneFile::Read()
+{
+  std::string text;
+  std::string reason;
+  const unsigned long code =
+    Guard([&] { text = ReadWholeFile(CheckedName(this->FileName)); }, reason);
+  return code == vtkErrorCode::NoError ? this->FromText(text) : this->Finish("read", code, reason);
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefSceneFile::FromText(const std::string& text)
+{
+  vtkNew<vtkReliefScene> read;
+  std::string unknown;
+  std::string reason;
+  const unsigned long code =
+    Guard([&] { unknown = SceneFromText(text, FolderOf(this->FileName), read); }, reason);
+  if (code == vtkErrorCode::NoError)
+  {
+    MoveScene(read, this->Scene);
+  }
+  if (!unknown.empty())
+  {
+    vtkWarningMacro(
+      "In " << this->GetSubject() << " these keys are not known, and left out: " << unknown << ".");
+  }
+  return this->Finish("read", code, reason);
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefSceneFile::Write()
+{
+  std::string reason;
+  const unsigned long code = Guard(
+    [&]
+    {
+      const std::string name = CheckedName(this->FileName);
+      WriteWholeFile(name, SceneToText(this->Scene, FolderOf(this->FileName)));
+    },
+    reason);
+  return this->Finish("write", code, reason);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkReliefSceneFile::ToText()
+{
+  std::string text;
+  std::string reason;
+  const unsigned long code =
+    Guard([&] { text = SceneToText(this->Scene, FolderOf(this->FileName)); }, reason);
+  this->Finish("write", code, reason);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefSceneFile::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Scene:\n";
+  this->Scene->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "ErrorCode: " << this->ErrorCode << "\n";
+}
