@@ -2,7 +2,8 @@
 #ifndef EffectPlan_h
 #define EffectPlan_h
 
-#include "SceneShading.h"
+#include "HeightField.h"
+#include "Scene.h"
 
 #include <vector>
 
@@ -16,6 +17,8 @@ struct LightPlan
   glm::vec3 vector;   ///< toward it, for a directional light's highlight and scattering
   bool directional;   ///< as the scene has it
   glm::vec3 radiance; ///< weight, intensity and colour
+  bool lit;           ///< it is not black
+  bool dark;          ///< its illumination is 0 everywhere
   bool shows;         ///< it brightens something
   bool trace;         ///< its illumination shows and is not known to be 0
 };
@@ -23,6 +26,8 @@ struct LightPlan
 /// Which effects a scene calls for, and what it wants of each of its lights, in their order.
 struct EffectPlan
 {
+  bool matte = false;    ///< illumination shows, where there is any
+  bool mirror = false;   ///< highlights show, where there is light
   bool diffuse = false;  ///< light that goes straight through shows
   bool scatter = false;  ///< forward scattering shows
   bool specular = false; ///< highlights show

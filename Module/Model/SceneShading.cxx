@@ -14,11 +14,6 @@ namespace relief
 
 namespace
 {
-bool IsBlack(const glm::dvec3& color)
-{
-  return color.x == 0.0 && color.y == 0.0 && color.z == 0.0;
-}
-
 f32::ReliefFalloff ToSingle(const f64::ReliefFalloff& falloff)
 {
   return { static_cast<float>(falloff.lo), static_cast<float>(falloff.hi),
@@ -90,75 +85,46 @@ SceneShading::SceneShading(
   , ScatterFalloff(ToSingle(scene.scatterFalloff))
   , Rays(new std::atomic<std::uint64_t>[scene.lights.size()] {})
 {
-  double ks = scene.specularCoefficient;
-  double kf = scene.scatterCoefficient;
-  const bool diffuseTexture = !scene.diffuseTextures.empty();
-  const bool specularTexture = !scene.specularTextures.empty();
-  bool diffuseShows = ks < 1.0 && (diffuseTexture || !IsBlack(scene.diffuse));
-  bool specularShows = ks > 0.0 && (specularTexture || !IsBlack(scene.specular));
-  this->HasScatter = diffuseShows && kf > 0.0;
-
-  bool firstLight = true;
+  const EffectPlan effects = PlanEffects(field, scene);
+  bool first = true;
+  bool anyTrace = false;
   std::size_t cached = 0;
-  for (const Light& light : scene.lights)
+  for (const LightPlan& light : effects.lights)
   {
     Plan plan;
-    plan.light = light;
-    plan.directional = !light.positional;
-    plan.vector = glm::vec3(light.vector);
-    plan.radiance = glm::vec3(light.color * (light.intensity * light.weight));
-    plan.share = static_cast<float>(light.intensity * light.weight);
-    bool lit = plan.share != 0.0f && !IsBlack(light.color);
-    plan.thickness = target.thickness && firstLight;
+    static_cast<LightPlan&>(plan) = light;
+    plan.share = static_cast<float>(light.light.intensity * light.light.weight);
+    plan.thickness = target.thickness && first;
     plan.medium = scene.medium;
-    plan.medium.tolerance = plan.thickness ? 0.0 : scene.medium.tolerance * light.toleranceScale;
+    plan.medium.tolerance =
+      plan.thickness ? 0.0 : scene.medium.tolerance * light.light.toleranceScale;
     plan.single = relief::ToSingle(plan.medium);
-    plan.needsD = plan.thickness || (lit && (diffuseShows || target.illumination));
-    bool neverLit = plan.directional && light.vector.z < 0.0 && !scene.medium.useFloor &&
-      scene.integrator == Integrator::Exact;
-    plan.trace = plan.needsD && (!neverLit || plan.thickness);
-    plan.shows = lit && (specularShows || (diffuseShows && !neverLit));
+    plan.trace = light.trace || plan.thickness || (light.lit && target.illumination && !light.dark);
     plan.scatterFactor = f32::reliefForwardScatter(this->ScatterFalloff, plan.vector);
-    if (scene.integrator == Integrator::FixedStep && plan.directional)
-    {
-      plan.light =
-        OnBoundingSphere(light, this->Heights.heights, field.GetBottom(), field.GetTop());
-    }
-    if (lit)
-    {
-      this->ShareSum += plan.share;
-    }
+    this->ShareSum += light.lit ? plan.share : 0.0f;
+    anyTrace = anyTrace || plan.trace;
     if (plan.trace && cache && this->NeedsEveryD(plan))
     {
       this->UseCache(plan, cached);
     }
     if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact &&
-      field.GetMissingRow() && SweepThickness::Applies(scene.medium, light))
+      field.GetMissingRow() && SweepThickness::Applies(scene.medium, plan.light))
     {
-      plan.sweep = std::make_unique<SweepThickness>(field, plan.medium, light);
+      plan.sweep = std::make_unique<SweepThickness>(field, plan.medium, plan.light);
     }
-    firstLight = false;
+    first = false;
     this->Plans.push_back(std::move(plan));
   }
 
-  bool anyNeedsD = false;
-  bool anyTrace = false;
-  bool anyShows = false;
-  for (const Plan& plan : this->Plans)
-  {
-    anyNeedsD = anyNeedsD || plan.needsD;
-    anyTrace = anyTrace || plan.trace;
-    anyShows = anyShows || plan.shows;
-  }
-  bool hasSpecular = specularShows && anyShows;
-  this->HasScatter = this->HasScatter && anyShows;
-  this->HasNormals = hasSpecular || target.normals ||
+  this->HasScatter = effects.scatter;
+  this->HasNormals = effects.specular || target.normals ||
     (anyTrace && scene.medium.offset == f64::RELIEF_SURFACE_NORMAL);
-  this->Effects = (anyNeedsD ? IlluminationEffect : 0) | (this->HasNormals ? NormalsEffect : 0) |
-    (hasSpecular ? SpecularEffect : 0) | (this->HasScatter ? ScatterEffect : 0) |
-    (ks < 1.0 && !scene.baseTextures.empty() ? BaseTextureEffect : 0) |
-    (diffuseTexture && diffuseShows && anyShows ? DiffuseTextureEffect : 0) |
-    (specularTexture && hasSpecular ? SpecularTextureEffect : 0);
+  const bool textured = !scene.diffuseTextures.empty() && (effects.diffuse || effects.scatter);
+  const bool baseTextured = !scene.baseTextures.empty() && scene.specularCoefficient < 1.0;
+  this->Effects = (anyTrace ? IlluminationEffect : 0) | (this->HasNormals ? NormalsEffect : 0) |
+    (effects.specular ? SpecularEffect : 0) | (effects.scatter ? ScatterEffect : 0) |
+    (baseTextured ? BaseTextureEffect : 0) | (textured ? DiffuseTextureEffect : 0) |
+    (effects.specular && !scene.specularTextures.empty() ? SpecularTextureEffect : 0);
 }
 
 // Whether d shows at every sample. Where all the light is scattered forward and none comes this

@@ -2,10 +2,9 @@
 #ifndef SceneShading_h
 #define SceneShading_h
 
-#include "ColorTexture.h"
+#include "EffectPlan.h"
 #include "HeightField.h"
 #include "IlluminationCache.h"
-#include "RayThickness.h"
 #include "SweepThickness.h"
 
 #include <atomic>
@@ -14,36 +13,6 @@
 
 namespace relief
 {
-
-enum class Integrator
-{
-  Exact,
-  FixedStep
-};
-
-/// Material, lights and accuracy; lengths in the field's unit, heights from its height 0.
-struct Scene
-{
-  glm::dvec3 base = glm::dvec3(0.0);
-  glm::dvec3 diffuse = glm::dvec3(1.0);
-  glm::dvec3 specular = glm::dvec3(1.0);
-  ///@{
-  /// Textures over these colours, the lowest first. One that lies nowhere on the field does not
-  /// belong here: it would count as something that shows.
-  std::vector<ColorTexture> baseTextures;
-  std::vector<ColorTexture> diffuseTextures;
-  std::vector<ColorTexture> specularTextures;
-  ///@}
-  double specularCoefficient = 0.0;
-  double scatterCoefficient = 0.0;
-  f64::ReliefFalloff specularFalloff = { 0.0, 1.0, 1.0 };
-  f64::ReliefFalloff scatterFalloff = { 0.0, 1.0, 1.0 };
-  f64::ReliefMedium medium = { 1.0, f64::RELIEF_VERTICAL, f64::RELIEF_RECIPROCAL, 1.0, false, 0.0,
-    0.0 };
-  std::vector<Light> lights;
-  Integrator integrator = Integrator::Exact;
-  int steps = 256;
-};
 
 enum Effect
 {
@@ -104,21 +73,14 @@ public:
   ///@}
 
 private:
-  // A light and what the scene wants of it.
-  struct Plan
+  // A light, and how it is traced here.
+  struct Plan : LightPlan
   {
-    Light light;              ///< as the integrator takes it
-    f64::ReliefMedium medium; ///< with the light's own tolerance
-    f32::ReliefMedium single; ///< the same in single precision
-    glm::vec3 vector;         ///< toward it, for a directional light's highlight and scattering
-    bool directional;         ///< as the scene has it
-    float scatterFactor;      ///< of a directional light
-    glm::vec3 radiance;       ///< weight, intensity and colour
-    float share;              ///< weight and intensity, for the mean illumination
-    bool shows;               ///< it brightens something
-    bool needsD;              ///< its illumination shows
-    bool trace;               ///< and is not known to be 0
-    bool thickness;           ///< its thickness is a layer
+    f64::ReliefMedium medium;              ///< with the light's own tolerance
+    f32::ReliefMedium single;              ///< the same in single precision
+    float scatterFactor;                   ///< of a directional light
+    float share;                           ///< weight and intensity, for the mean illumination
+    bool thickness;                        ///< its thickness is a layer
     std::unique_ptr<SweepThickness> sweep; ///< traces it in lockstep, where that applies
     std::shared_ptr<const IlluminationCache::Entry> kept; ///< d from an earlier run
     std::shared_ptr<IlluminationCache::Entry> fresh;      ///< d for the next

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReliefModelScene_h
+#define ReliefModelScene_h
+
+#include "ColorTexture.h"
+#include "RayThickness.h"
+
+#include <vector>
+
+namespace relief
+{
+
+enum class Integrator
+{
+  Exact,
+  FixedStep
+};
+
+/// Material, lights and accuracy; lengths in the field's unit, heights from its height 0.
+struct Scene
+{
+  glm::dvec3 base = glm::dvec3(0.0);
+  glm::dvec3 diffuse = glm::dvec3(1.0);
+  glm::dvec3 specular = glm::dvec3(1.0);
+  ///@{
+  /// Textures over these colours, the lowest first. One that lies nowhere on the field does not
+  /// belong here: it would count as something that shows.
+  std::vector<ColorTexture> baseTextures;
+  std::vector<ColorTexture> diffuseTextures;
+  std::vector<ColorTexture> specularTextures;
+  ///@}
+  double specularCoefficient = 0.0;
+  double scatterCoefficient = 0.0;
+  f64::ReliefFalloff specularFalloff = { 0.0, 1.0, 1.0 };
+  f64::ReliefFalloff scatterFalloff = { 0.0, 1.0, 1.0 };
+  f64::ReliefMedium medium = { 1.0, f64::RELIEF_VERTICAL, f64::RELIEF_RECIPROCAL, 1.0, false, 0.0,
+    0.0 };
+  std::vector<Light> lights;
+  Integrator integrator = Integrator::Exact;
+  int steps = 256;
+};
+
+}
+
+#endif
