@@ -267,7 +267,9 @@ void WriteEnvironment(
     throw Failure(vtkErrorCode::UnknownError,
       "the environment's image was set without a file name; SetFileName tells where it is");
   }
-  json.Choice("image", environment->GetImage() ? source : 0, ImageKinds);
+  // A file may be named that is not read yet.
+  const bool any = environment->GetImage() || source == vtkReliefEnvironment::File;
+  json.Choice("image", any ? source : 0, ImageKinds);
   if (source == vtkReliefEnvironment::ClearSky)
   {
     json.Number("azimuth", environment->GetClearSkyParameters()[0]);

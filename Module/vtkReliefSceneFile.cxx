@@ -33,10 +33,15 @@ namespace
 {
 const std::size_t LargestFile = 16 * 1024 * 1024; // a light takes some 200 bytes
 
+// With its slash; empty if there is no name.
 std::string FolderOf(const char* fileName)
 {
-  const std::string folder = fileName ? SystemTools::GetFilenamePath(fileName) : "";
-  return folder.empty() || folder.back() == '/' ? folder : folder + "/";
+  if (!fileName || !*fileName)
+  {
+    return std::string();
+  }
+  const std::string folder = SystemTools::GetFilenamePath(fileName);
+  return folder.empty() ? "./" : folder.back() == '/' ? folder : folder + "/";
 }
 
 std::string CheckedName(const char* fileName)

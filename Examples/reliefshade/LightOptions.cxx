@@ -37,8 +37,20 @@ void setPower(
 }
 
 //------------------------------------------------------------------------------
-void addSuns(OptionParser& parser, vtkReliefScene* scene)
+/// Lights of the command line take the place of those of the scene's file.
+void dropLightsOfFile(Options& options)
 {
+  if (options.LightsOfFile)
+  {
+    options.Scene->RemoveAllLights();
+    options.LightsOfFile = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void addSuns(OptionParser& parser, Options& options)
+{
+  vtkReliefScene* scene = options.Scene;
   // Triggered one by one: the lights keep the order of the command line.
   parser
     .Numbers("--sun", "AZ,ALT[,I[,R,G,B]]",
@@ -46,8 +58,9 @@ void addSuns(OptionParser& parser, vtkReliefScene* scene)
       "above the horizon from -90 to 90, both in degrees; intensity and linear colour, at least 0, "
       "default: 1 and 1,1,1. Without any light: --sun 315,45",
       { 2, 3, 6 },
-      [scene](const std::vector<double>& n)
+      [scene, &options](const std::vector<double>& n)
       {
+        dropLightsOfFile(options);
         vtkLight* sun = scene->AddSun(n[0], n[1]);
         refuseWhatTheSceneRefuses("--sun");
         setPower("--sun", sun, n, 2);
@@ -58,8 +71,9 @@ void addSuns(OptionParser& parser, vtkReliefScene* scene)
       "A light at a place, see Coordinates below; intensity and colour as for --sun. It does not "
       "fade with distance",
       { 3, 4, 7 },
-      [scene](const std::vector<double>& n)
+      [scene, &options](const std::vector<double>& n)
       {
+        dropLightsOfFile(options);
         vtkNew<vtkLight> light;
         light->SetLightTypeToSceneLight();
         light->PositionalOn();
@@ -72,8 +86,11 @@ void addSuns(OptionParser& parser, vtkReliefScene* scene)
 
 //------------------------------------------------------------------------------
 /// Puts a preset's lights before those of the command line.
-void addPreset(const std::string& word, vtkReliefScene* scene)
+void addPreset(const std::string& word, Options& options)
 {
+  vtkReliefScene* scene = options.Scene;
+  dropLightsOfFile(options);
+  options.EnvironmentOfFile = false;
   vtkNew<vtkLightCollection> given;
   for (vtkLight* light : vtk::Range(scene->GetLights()))
   {
@@ -156,11 +173,12 @@ void addEnvironmentOptions(OptionParser& parser, Options& options)
     "of 8 and 16 bit are taken for sRGB-encoded. It adds to the lights",
     [&options, scene](const std::string& word)
     {
-      if (scene->GetEnvironment())
+      if (scene->GetEnvironment() && !options.EnvironmentOfFile)
       {
         throw Failure("--env", "the sky of --preset is there already", UsageFailure);
       }
       vtkNew<vtkReliefEnvironment> environment;
+      environment->SetFileName(word.c_str());
       scene->SetEnvironment(environment);
       options.Environment = word;
     });
@@ -208,13 +226,13 @@ void addLightOptions(OptionParser& parser, Options& options)
 {
   vtkReliefScene* scene = options.Scene;
   parser.SetGroup("Lights (--sun and --point may be repeated; all add up)");
-  addSuns(parser, scene);
+  addSuns(parser, options);
   // What follows is run in this order, when the suns are there.
   parser.Word("--preset", "multidirectional|sky-dome|sun-and-sky[,AZ,ALT]",
     "Light as cartographers know it: four suns from south-west to north; a uniform white sky; or "
     "the sun and a clear sky, the sun at azimuth and altitude (0 to 90) in degrees, default: "
     "315,45. Adds to the lights",
-    [scene](const std::string& word) { addPreset(word, scene); });
+    [&options](const std::string& word) { addPreset(word, options); });
   addEnvironmentOptions(parser, options);
   parser.Number("--sun-diameter", "DEG",
     "How large suns look, which widens the edges of shadows with distance: 0.533 is the real sun. "

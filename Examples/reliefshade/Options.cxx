@@ -7,7 +7,9 @@
 #include "OptionParser.h"
 #include "RasterWriter.h"
 
+#include "vtkLightCollection.h"
 #include "vtkReliefMaterial.h"
+#include "vtkReliefSceneFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -48,6 +50,50 @@ public:
   HelpFormatter() { this->column_width(34); }
   std::string make_usage(const CLI::App*, std::string) const override;
 };
+
+//------------------------------------------------------------------------------
+/// Reads the scene that --scene names, before the other options, which change it.
+void readScene(int argc, char* argv[], Options& options)
+{
+  CLI::App app;
+  app.set_help_flag("");
+  app.allow_extras();
+  app.add_option("--scene", options.SceneFile);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError&)
+  {
+    return; // the other parser says what is wrong
+  }
+  if (options.SceneFile.empty())
+  {
+    return;
+  }
+  vtkNew<vtkReliefSceneFile> file;
+  file->SetFileName(options.SceneFile.c_str());
+  file->SetScene(options.Scene);
+  if (!file->Read())
+  {
+    throw Failure(options.SceneFile, withoutName(takeError(), options.SceneFile));
+  }
+  options.LightsOfFile = options.Scene->GetLights()->GetNumberOfItems() > 0;
+  options.EnvironmentOfFile = options.Scene->GetEnvironment() != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void addSceneOptions(OptionParser& parser, Options& options)
+{
+  parser.SetGroup("Scene");
+  parser.Word("--scene", "FILE",
+    "Material, lights and accuracy from a file, in place of the defaults below. Options change it: "
+    "--sun, --point and --preset take the place of its lights, --env and a --preset that of its "
+    "environment. Positions of its lights are those of --point",
+    [&options](const std::string& word) { options.SceneFile = word; });
+  parser.Word("--save-scene", "FILE", "Keeps what was used, for --scene",
+    [&options](const std::string& word) { options.SavedScene = word; });
+}
 
 //------------------------------------------------------------------------------
 void addInputOptions(OptionParser& parser, Options& options)
@@ -346,6 +392,7 @@ namespace reliefshade
 //------------------------------------------------------------------------------
 bool parseOptions(int argc, char* argv[], Options& options)
 {
+  readScene(argc, argv, options);
   CLI::App app("", "reliefshade");
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_help_flag(""); // for the time being: it is to come last in the help
@@ -353,6 +400,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
   app.add_option("INPUT", options.Input)->group("");
   app.add_option("OUTPUT", options.Output)->group("");
   OptionParser parser(app);
+  addSceneOptions(parser, options);
   addInputOptions(parser, options);
   addLightOptions(parser, options);
   addMaterialOptions(parser, options);
@@ -400,6 +448,10 @@ bool parseOptions(int argc, char* argv[], Options& options)
   if (options.MirrorEnvironment && options.Environment.empty())
   {
     throw Failure("--env-mirror", "there is no picture: --env gives it", UsageFailure);
+  }
+  if (options.MirrorEnvironment && !options.SavedScene.empty())
+  {
+    throw Failure("--save-scene", "a scene's file cannot say --env-mirror", UsageFailure);
   }
   const auto place = [](const std::string& file)
   { return std::filesystem::absolute(file).lexically_normal(); };

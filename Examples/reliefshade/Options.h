@@ -28,6 +28,12 @@ struct Options
 
   /// Material, lights and accuracy. The positions of positional lights are still those of the map.
   vtkNew<vtkReliefScene> Scene;
+  /// The file that the scene was read from, and the one that it is kept in; empty for none.
+  std::string SceneFile;
+  std::string SavedScene;
+  /// What of the scene is still the file's, to give way to options.
+  bool LightsOfFile = false;
+  bool EnvironmentOfFile = false;
 
   /// Files; empty for none. The scene has an environment for the first, still without an image.
   std::string Environment;

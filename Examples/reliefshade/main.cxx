@@ -21,11 +21,13 @@
 #include "vtkLightCollection.h"
 #include "vtkPointData.h"
 #include "vtkReliefEnvironment.h"
+#include "vtkReliefSceneFile.h"
 #include "vtkReliefStatistics.h"
 #include "vtkSMPTools.h"
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -34,6 +36,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -74,6 +77,55 @@ void addMask(const Options& options, Raster& raster)
   }
   raster.Mask = mask.Heights;
 }
+
+//------------------------------------------------------------------------------
+/// A scene as the command line means it, while its lights and heights are taken to another frame.
+class MapScene
+{
+public:
+  explicit MapScene(const Options& options)
+    : Given(options)
+    , HeightScale(options.Scene->GetHeightScale())
+  {
+    for (vtkLight* light : vtk::Range(options.Scene->GetLights()))
+    {
+      this->Positions.push_back({});
+      light->GetPosition(this->Positions.back().data());
+    }
+  }
+
+  /// Writes it, if that was asked for; afterwards the scene is as it was.
+  void Save() const
+  {
+    if (this->Given.SavedScene.empty())
+    {
+      return;
+    }
+    vtkReliefScene* scene = this->Given.Scene;
+    scene->SetHeightScale(this->HeightScale);
+    auto position = this->Positions.begin();
+    for (vtkLight* light : vtk::Range(scene->GetLights()))
+    {
+      light->SetPosition((position++)->data());
+    }
+    if (!this->Given.Environment.empty())
+    {
+      scene->GetEnvironment()->SetFileName(this->Given.Environment.c_str());
+    }
+    vtkNew<vtkReliefSceneFile> file;
+    file->SetFileName(this->Given.SavedScene.c_str());
+    file->SetScene(scene);
+    if (!file->Write())
+    {
+      throw Failure(this->Given.SavedScene, withoutName(takeError(), this->Given.SavedScene));
+    }
+  }
+
+private:
+  const Options& Given;
+  double HeightScale;
+  std::vector<std::array<double, 3>> Positions;
+};
 
 //------------------------------------------------------------------------------
 /// Takes positional lights from map coordinates to the image's frame, whose origin is its first
@@ -210,10 +262,10 @@ void readPictures(const Options& options, const Raster& raster, vtkImageReliefSh
 /// The file that an error of the shading is about.
 std::string subject(const Options& options, const std::string& error)
 {
-  const std::pair<const char*, const std::string&> files[] = {
-    { "environment", options.Environment }, { "diffuse texture", options.DiffuseTexture },
-    { "base texture", options.BaseTexture }, { "specular texture", options.SpecularTexture }
-  };
+  const std::pair<const char*, const std::string&> files[] = { { "environment",
+                                                                 options.Environment },
+    { "environment", options.SceneFile }, { "diffuse texture", options.DiffuseTexture },
+    { "base texture", options.BaseTexture }, { "specular texture", options.SpecularTexture } };
   for (const auto& file : files)
   {
     if (!file.second.empty() && error.find(file.first) != std::string::npos)
@@ -251,6 +303,7 @@ void run(const Options& options)
     raster.Mask->SetOrigin(raster.Heights->GetOrigin());
     raster.Mask->SetSpacing(raster.Heights->GetSpacing());
   }
+  const MapScene mapScene(options);
   options.Scene->SetHeightScale(options.Scene->GetHeightScale() * raster.HeightUnit);
   placeLights(raster, options.Scene);
 
@@ -308,6 +361,7 @@ void run(const Options& options)
   {
     writeLayers(shading->GetOutput(), options, raster.Reference);
   }
+  mapScene.Save();
   if (options.Statistics)
   {
     printStatistics(raster, options, shading->GetStatistics(), seconds.count());

@@ -15,13 +15,13 @@ OPTIONS = """
     --attenuation --band --base --base-texture --degrees --density --depth --diffuse --env
     --env-intensity --env-mirror --env-rotation --env-samples --env-sampling --env-tilt --floor
     --height-scale --help --integrator --kf --ks --layers --mask --nodata --offset --point
-    --preset --quiet --scatter-power --scatter-range --spacing --specular --specular-power
-    --specular-range --specular-texture --statistics --steps --sun --sun-diameter --texture
-    --threads --tint --tolerance --type --version
+    --preset --quiet --save-scene --scatter-power --scatter-range --scene --spacing --specular
+    --specular-power --specular-range --specular-texture --statistics --steps --sun --sun-diameter
+    --texture --threads --tint --tolerance --type --version
 """.split()
 WITHOUT_DEFAULT = """
     --base-texture --degrees --env --env-mirror --help --layers --mask --point --preset --quiet
-    --specular-texture --statistics --sun --texture --tint --version
+    --save-scene --scene --specular-texture --statistics --sun --texture --tint --version
 """.split()
 
 
