@@ -6,9 +6,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <mutex>
 #include <sstream>
+#include <utility>
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -18,8 +20,35 @@
 namespace
 {
 
-std::mutex errorMutex;
+std::mutex messageMutex;
 std::string firstError;
+std::vector<std::string> warnings;
+
+// VTK's form: "ERROR: In <source>, line <n>\n<class> (0x<address>): <message>\n\n".
+std::string undecorated(std::string text)
+{
+  if (text.compare(0, 7, "ERROR: ") == 0 || text.compare(0, 9, "Warning: ") == 0)
+  {
+    text.erase(0, text.find('\n'));
+  }
+  const std::size_t address = text.find(" (0x");
+  const std::size_t end = text.find("): ");
+  if (address != std::string::npos && end != std::string::npos && address < end)
+  {
+    text.erase(0, end + 3);
+  }
+  return reliefshade::oneLine(text);
+}
+
+void addWarning(const char* text)
+{
+  std::lock_guard<std::mutex> lock(messageMutex);
+  const std::string warning = undecorated(text ? text : "");
+  if (!warning.empty() && std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+  {
+    warnings.push_back(warning);
+  }
+}
 
 /// An error event of one object would miss those of the executives behind it; this is where all of
 /// them arrive.
@@ -31,12 +60,12 @@ public:
 
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
-  void DisplayWarningText(const char*) override {}
-  void DisplayGenericWarningText(const char*) override {}
+  void DisplayWarningText(const char* text) override { addWarning(text); }
+  void DisplayGenericWarningText(const char* text) override { addWarning(text); }
   void DisplayErrorText(const char* text) override
   {
     // The first error is the cause; what follows are its consequences up the pipeline.
-    std::lock_guard<std::mutex> lock(errorMutex);
+    std::lock_guard<std::mutex> lock(messageMutex);
     if (firstError.empty() && text)
     {
       firstError = text;
@@ -70,7 +99,7 @@ void catchMessages()
 //------------------------------------------------------------------------------
 bool hasError()
 {
-  std::lock_guard<std::mutex> lock(errorMutex);
+  std::lock_guard<std::mutex> lock(messageMutex);
   return !firstError.empty();
 }
 
@@ -79,21 +108,17 @@ std::string takeError()
 {
   std::string text;
   {
-    std::lock_guard<std::mutex> lock(errorMutex);
+    std::lock_guard<std::mutex> lock(messageMutex);
     text.swap(firstError);
   }
-  // VTK's form: "ERROR: In <source>, line <n>\n<class> (0x<address>): <message>\n\n".
-  if (text.compare(0, 7, "ERROR: ") == 0)
-  {
-    text.erase(0, text.find('\n'));
-  }
-  const std::size_t address = text.find(" (0x");
-  const std::size_t end = text.find("): ");
-  if (address != std::string::npos && end != std::string::npos && address < end)
-  {
-    text.erase(0, end + 3);
-  }
-  return oneLine(text);
+  return undecorated(text);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> takeWarnings()
+{
+  std::lock_guard<std::mutex> lock(messageMutex);
+  return std::exchange(warnings, {});
 }
 
 //------------------------------------------------------------------------------

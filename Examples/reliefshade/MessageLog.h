@@ -3,6 +3,7 @@
 #define MessageLog_h
 
 #include <string>
+#include <vector>
 
 namespace reliefshade
 {
@@ -13,6 +14,9 @@ void catchMessages();
 
 /// The first error since the last call, without VTK's decoration; empty if there was none.
 std::string takeError();
+
+/// The warnings since the last call, each once.
+std::vector<std::string> takeWarnings();
 
 /// Whether there has been an error since the last takeError().
 bool hasError();

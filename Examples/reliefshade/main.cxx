@@ -277,6 +277,18 @@ std::string subject(const Options& options, const std::string& error)
 }
 
 //------------------------------------------------------------------------------
+void printWarnings(const Options& options)
+{
+  for (const std::string& warning : takeWarnings())
+  {
+    if (!options.Quiet)
+    {
+      std::cerr << "reliefshade: warning: " << warning << std::endl;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void run(const Options& options)
 {
   Raster raster = readRaster(options.Input, options.Reading);
@@ -331,6 +343,7 @@ void run(const Options& options)
     shading->SetNoDataValue(*raster.NoData);
   }
   shading->SetScene(options.Scene);
+  shading->SetCacheMemoryLimit(0); // there is one update only
   shading->SetOutputScalarType(type);
   readPictures(options, raster, shading);
   generateLayers(options.Layers, shading);
@@ -349,6 +362,8 @@ void run(const Options& options)
     throw Failure(subject(options, error), error);
   }
 
+  printWarnings(options);
+
   if (writer)
   {
     writer->Write(shading->GetOutput());
@@ -362,6 +377,7 @@ void run(const Options& options)
     writeLayers(shading->GetOutput(), options, raster.Reference);
   }
   mapScene.Save();
+  printWarnings(options);
   if (options.Statistics)
   {
     printStatistics(raster, options, shading->GetStatistics(), seconds.count());
