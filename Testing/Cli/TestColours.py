@@ -181,7 +181,7 @@ class Tints(Case):
         self.grid([[0, 50, 100, -999, 5000]], "g.asc", nodata=-999)
         self.grid([[1, 1, 1, 1, 0]], "mask.asc")
         self.write("0% black\n100% white\n")
-        picture = self.shade("g.asc", *FLAT, "--tint", "tint.txt", "--mask", "mask.asc")
+        picture = self.shade("g.asc", *FLAT, "--tint", "tint.txt", "--mask", "mask.asc", "--quiet")
         self.assertEqual([picture[x, 0][0] for x in range(3)], [0, 128, 255])
 
     def test_steps_and_alpha(self):
