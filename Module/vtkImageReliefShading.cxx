@@ -373,7 +373,7 @@ int vtkImageReliefShading::RequestData(
   const int endRow = target.j0 + outExtent[3] - outExtent[2] + 1;
   const int tiles = (endRow + height - 1) / height;
   const int band =
-    std::max((tiles - firstRow / height + 31) / 32, 2 * vtkSMPTools::GetEstimatedNumberOfThreads());
+    std::max((tiles - firstRow / height + 15) / 16, 2 * vtkSMPTools::GetEstimatedNumberOfThreads());
   for (int begin = firstRow / height; begin < tiles && !this->AbortExecute; begin += band)
   {
     const int end = std::min(begin + band, tiles);

@@ -40,12 +40,11 @@ struct Tile
 {
   int x0; // the first sample
   int y0;
-  int rows;                                            // of samples in the image
-  HWY_ALIGN float base[SweepThickness::TileSize];      // the samples' own heights
-  HWY_ALIGN float surface[SweepThickness::TileSize];   // the surface's height at the crossing
-  HWY_ALIGN float ground[SweepThickness::TileSize];    // that, or the height held across a hole
-  HWY_ALIGN float thickness[SweepThickness::TileSize]; // so far
-  HWY_ALIGN float rest[SweepThickness::TileSize];
+  int rows;                                          // of samples in the image
+  HWY_ALIGN float base[SweepThickness::TileSize];    // the samples' own heights
+  HWY_ALIGN float surface[SweepThickness::TileSize]; // the surface's height at the crossing
+  HWY_ALIGN float ground[SweepThickness::TileSize];  // that, or the height held across a hole
+  float* thickness;                                  // so far
 };
 
 HWY_INLINE Vector Interpolate(Tag tag, Vector first, Vector second, float weight)
@@ -248,12 +247,12 @@ HWY_INLINE Vector RestOf(Tag tag, const SweepThickness::Plan& plan, float distan
   return hn::Max(hn::Sub(whole, hn::Set(tag, distance)), hn::Zero(tag));
 }
 
-void MeasureRest(const SweepThickness::Plan& plan, float distance, Tile& tile)
+void MeasureRest(const SweepThickness::Plan& plan, float distance, const Tile& tile, float* rest)
 {
   const Tag tag;
   for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
   {
-    hn::Store(RestOf(tag, plan, distance, hn::Load(tag, tile.base + at)), tag, tile.rest + at);
+    hn::Store(RestOf(tag, plan, distance, hn::Load(tag, tile.base + at)), tag, rest + at);
   }
 }
 
@@ -284,7 +283,9 @@ void AddLevelRest(const SweepThickness::Plan& plan, float distance, Tile& tile)
   }
 }
 
-void TraceTile(
+// Fills the thicknesses of a tile. Returns whether the rays stopped before their end: then `rest`
+// is filled too. Both arrays are aligned.
+bool TraceTile(
   const SweepThickness::Plan& plan, int x0, int y0, float* thickness, float* rest, RayCount& count)
 {
   const Tag tag;
@@ -295,6 +296,7 @@ void TraceTile(
   const float infinity = std::numeric_limits<float>::infinity();
 
   Tile tile;
+  tile.thickness = thickness;
   tile.x0 = x0;
   tile.y0 = y0;
   tile.rows = std::min(SweepThickness::TileHeight, heights.rows - y0);
@@ -314,7 +316,6 @@ void TraceTile(
       hn::Store(base, tag, tile.surface + at);
       hn::Store(base, tag, tile.ground + at);
       hn::Store(hn::Zero(tag), tag, tile.thickness + at);
-      hn::Store(hn::Zero(tag), tag, tile.rest + at);
       const Mask missing = hn::IsNaN(base);
       low = hn::IfThenElse(missing, low, hn::Min(low, base));
       high = hn::IfThenElse(missing, high, hn::Max(high, base));
@@ -340,8 +341,8 @@ void TraceTile(
     {
       if (plan.medium.tolerance > 0.0f && IsSettled(plan, group.distance, tile))
       {
-        MeasureRest(plan, group.distance, tile);
-        break;
+        MeasureRest(plan, group.distance, tile, rest);
+        return true;
       }
       const SweepThickness::Group& span = plan.spans[g / SweepThickness::SpanSize];
       ++count.cells;
@@ -400,11 +401,10 @@ void TraceTile(
       }
     }
   }
-  std::copy_n(tile.thickness, SweepThickness::TileSize, thickness);
-  std::copy_n(tile.rest, SweepThickness::TileSize, rest);
+  return false;
 }
 
-// d of a tile of thicknesses by the reciprocal attenuation.
+// d of a tile of thicknesses by the reciprocal attenuation; `rest` may be null.
 void IlluminateReciprocal(float depth, const float* thickness, const float* rest, float* d)
 {
   const Tag tag;
@@ -412,13 +412,14 @@ void IlluminateReciprocal(float depth, const float* thickness, const float* rest
   const int lanes = static_cast<int>(hn::Lanes(tag));
   for (int at = 0; at < SweepThickness::TileSize; at += lanes)
   {
-    const Vector r = hn::LoadU(tag, thickness + at);
-    const Vector high = hn::Div(t, hn::Max(r, t));
-    const Vector more = hn::LoadU(tag, rest + at);
-    const Vector low = hn::Div(t, hn::Max(hn::Add(r, more), t));
-    const Mask open = hn::Gt(more, hn::Zero(tag));
-    const Vector mean = hn::Mul(hn::Add(high, low), hn::Set(tag, 0.5f));
-    hn::StoreU(hn::IfThenElse(open, mean, high), tag, d + at);
+    const Vector r = hn::Load(tag, thickness + at);
+    Vector result = hn::Div(t, hn::Max(r, t));
+    if (rest)
+    {
+      const Vector low = hn::Div(t, hn::Max(hn::Add(r, hn::Load(tag, rest + at)), t));
+      result = hn::Mul(hn::Add(result, low), hn::Set(tag, 0.5f));
+    }
+    hn::StoreU(result, tag, d + at);
   }
 }
 
@@ -539,11 +540,13 @@ SweepThickness::SweepThickness(
 
 void SweepThickness::IlluminateTile(int column, int row, float* d, float* r, RayCount& count) const
 {
-  float thickness[TileSize];
-  float rest[TileSize];
+  // Aligned for any of the instruction sets.
+  alignas(TileWidth * sizeof(float)) float thickness[TileSize];
+  alignas(TileWidth * sizeof(float)) float restOf[TileSize];
   const f32::ReliefMedium& medium = this->Prepared.medium;
-  HWY_DYNAMIC_DISPATCH(TraceTile)
-  (this->Prepared, column * TileWidth, row * TileHeight, thickness, rest, count);
+  const bool stopped = HWY_DYNAMIC_DISPATCH(TraceTile)(
+    this->Prepared, column * TileWidth, row * TileHeight, thickness, restOf, count);
+  const float* rest = stopped ? restOf : nullptr;
   if (medium.attenuation == f32::RELIEF_RECIPROCAL && medium.depth > 0.0f)
   {
     HWY_DYNAMIC_DISPATCH(IlluminateReciprocal)(medium.depth, thickness, rest, d);
@@ -553,7 +556,7 @@ void SweepThickness::IlluminateTile(int column, int row, float* d, float* r, Ray
     for (int at = 0; at < TileSize; ++at)
     {
       d[at] = f32::reliefIllumination(medium, thickness[at]);
-      if (rest[at] > 0.0f)
+      if (rest && rest[at] > 0.0f)
       {
         d[at] = (d[at] + f32::reliefIllumination(medium, thickness[at] + rest[at])) / 2.0f;
       }
