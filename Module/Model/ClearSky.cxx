@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace relief
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 // Of R. Perez, R. Seals and J. Michalsky, "All-weather model for sky luminance distribution", 1993:
 // relative values at the cosine of a polar angle and at an angle from the sun.

@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace relief
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
 // Light from a set of directions: its energy, and its energy times direction, summed.
 struct Moment

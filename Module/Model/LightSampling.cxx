@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace relief
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 constexpr double GoldenRatio = 0.61803398874989484820; // (sqrt(5) - 1) / 2
 
 double MiddleAzimuth(const SkyPatch& patch)
@@ -25,7 +26,7 @@ double MiddleAzimuth(const SkyPatch& patch)
   return 0.5 * (patch.azimuth0 + patch.azimuth1);
 }
 
-// Patches of equal azimuth and polar angle, which is their m.
+// Patches of equal azimuth and polar angle, row by row.
 std::vector<PatchLight> DivideUniformly(int samples)
 {
   const int rows = static_cast<int>(std::lround(std::sqrt(samples)));
@@ -35,14 +36,14 @@ std::vector<PatchLight> DivideUniformly(int samples)
     const std::int64_t first = static_cast<std::int64_t>(samples) * row / rows;
     const std::int64_t end = static_cast<std::int64_t>(samples) * (row + 1) / rows;
     const double step = 2.0 * Pi / static_cast<double>(end - first);
-    const double m0 = static_cast<double>(first) / samples;
-    const double m1 = static_cast<double>(end) / samples;
+    const double m0 = FromZenith(first, samples);
+    const double m1 = FromZenith(end, samples);
+    const double height = std::cos(0.5 * Pi * static_cast<double>(first + end) / samples);
     for (std::int64_t k = 0; k < end - first; ++k)
     {
       const SkyPatch patch = { step * static_cast<double>(k), step * static_cast<double>(k + 1), m0,
         m1 };
-      lights.push_back(
-        { patch, SkyDirection(std::cos(0.5 * Pi * (m0 + m1)), MiddleAzimuth(patch)) });
+      lights.push_back({ patch, SkyDirection(height, MiddleAzimuth(patch)) });
     }
   }
   return lights;
@@ -97,18 +98,25 @@ std::vector<PatchLight> DivideBySolidAngle(int samples)
   return lights;
 }
 
-// How far the lights of patches that do not depend on the map may err, in units of what is allowed
-// for the mean radiance: all as far. It must not change when the map turns, so it is taken from the
-// map and not from the lights. In (u, v) the poles weigh more than they are large.
-double EvenTolerance(const RadianceMap& map, bool uniform)
+// How far each of the Uniform lights may err, in units of what is allowed for the map's mean. It
+// must not change when the map turns, so whole rows are looked at: the lights' own sum differs in
+// its last digits.
+double UniformTolerance(const RadianceMap& map, const std::vector<PatchLight>& divided)
 {
-  if (!uniform)
+  TurnedMap still(map, 0.0);
+  glm::dvec3 sum(0.0);
+  glm::dvec3 rowMean(0.0);
+  double row = -1.0; // where the row of patches begins
+  for (const PatchLight& one : divided)
   {
-    return 0.25; // the weights sum to 4
+    if (one.patch.m0 != row)
+    {
+      row = one.patch.m0;
+      rowMean = still.Mean({ 0.0, 2.0 * Pi, row, one.patch.m1 });
+    }
+    sum += rowMean / static_cast<double>(divided.size());
   }
   const glm::dvec3 mean = map.GetMean();
-  const glm::dvec3 sum =
-    TurnedMap(map, 0.0, TurnedMap::PolarAngle).Mean({ 0.0, 2.0 * Pi, 0.0, 1.0 });
   double scale = 1.0;
   for (int c = 0; c < 3; ++c)
   {
@@ -167,11 +175,11 @@ std::vector<Light> SampleEnvironment(
   const std::vector<PatchLight> divided = uniform ? DivideUniformly(samples)
     : sampling == EnvironmentSampling::SolidAngle ? DivideBySolidAngle(samples)
                                                   : DivideByImportance(map, turn, samples);
-  TurnedMap turned(map, turn, uniform ? TurnedMap::PolarAngle : TurnedMap::SolidAngle);
+  TurnedMap turned(map, turn);
   std::vector<Light> lights;
   lights.reserve(divided.size());
   const bool important = sampling == EnvironmentSampling::Importance;
-  const double even = important ? 1.0 : EvenTolerance(map, uniform);
+  const double even = uniform ? UniformTolerance(map, divided) : 0.25; // weights sum to 4
   for (const PatchLight& one : divided)
   {
     Light light;

@@ -20,17 +20,15 @@ enum class EnvironmentSampling
 };
 
 /// A map as directional lights. A light stands for a patch of the sphere: its colour is the mean
-/// radiance of the texels in the patch, parts of texels counted as parts, so that the sum of colour
-/// and weight is the map's own integral at every number of samples. `toField` turns the map's
-/// frame to the field's; it may mirror.
-///
-/// Patches do not cross the horizon of the map's tilted frame (unless one light stands for all). A
-/// light's height above that horizon is the mean over its patch, so that on level ground, where d
-/// is that height, a uniform sky gives what its integral gives, at every number of samples.
+/// radiance of the texels in the patch, weighted by their solid angle, parts of texels counted as
+/// parts. `toField` turns the map's frame to the field's; it may mirror.
 ///
 /// - Uniform: rows of patches that are equal in (u, v), sqrt(N) rows; a square N gives a square
-///   grid, as in the thesis (section 4.3.2.2). The mean is over (u, v), the measure that 1/N
-///   belongs to; the light shines from the patch's middle in (u, v).
+///   grid, as in the thesis (section 4.3.2.2). The light shines from the patch's middle in (u, v).
+/// - SolidAngle and Importance: the sum of colour and weight is the map's own integral at every
+///   number of samples. Patches do not cross the horizon of the map's tilted frame (unless one
+///   light stands for all). A light's height above that horizon is the mean over its patch, so that
+///   on level ground, where d is that height, a uniform sky gives what its integral gives.
 /// - SolidAngle: each half is cut into bands, and these into nearly square patches, as P. Leopardi,
 ///   "A partition of the unit sphere into regions of equal area and small diameter", ETNA 25
 ///   (2006), does; but the pole has several patches, and where N is a multiple of 8 the pattern

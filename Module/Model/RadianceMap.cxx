@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceMap.h"
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,25 +12,33 @@ namespace relief
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = glm::pi<double>();
 
-// Where rows end in m = 1 - cos(polar angle), from 0 at the zenith to 2 at the nadir. Solid angle
-// is azimuth times m. Both halves are exact mirror images.
 std::vector<double> RowEdges(int rows)
 {
-  std::vector<double> edges(static_cast<std::size_t>(rows) + 1);
-  auto fromPole = [rows](int j)
-  {
-    const double s = std::sin(Pi * j / (2.0 * rows));
-    return 2 * j == rows ? 1.0 : 2.0 * s * s;
-  };
+  std::vector<double> edges;
   for (int j = 0; j <= rows; ++j)
   {
-    edges[j] = 2 * j <= rows ? fromPole(j) : 2.0 - fromPole(rows - j);
+    edges.push_back(FromZenith(j, rows));
   }
   return edges;
 }
 
+}
+
+//------------------------------------------------------------------------------
+double FromZenith(std::int64_t part, std::int64_t whole)
+{
+  if (2 * part == whole)
+  {
+    return 1.0;
+  }
+  if (2 * part > whole)
+  {
+    return 2.0 - FromZenith(whole - part, whole);
+  }
+  const double s = std::sin(0.5 * Pi * static_cast<double>(part) / static_cast<double>(whole));
+  return 2.0 * s * s;
 }
 
 //------------------------------------------------------------------------------
@@ -72,15 +82,11 @@ glm::dvec3 RadianceMap::GetMean() const
 }
 
 //------------------------------------------------------------------------------
-TurnedMap::TurnedMap(const RadianceMap& map, double turn, Measure measure)
+TurnedMap::TurnedMap(const RadianceMap& map, double turn)
   : Map(map)
   , Turn(turn)
   , Edges(RowEdges(map.GetRows()))
 {
-  for (int j = 0; measure == PolarAngle && j <= map.GetRows(); ++j)
-  {
-    this->Edges[j] = static_cast<double>(j) / map.GetRows();
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace relief
@@ -57,8 +58,7 @@ inline double Luminance(const glm::dvec3& c)
 }
 
 /// A rectangle of azimuth and m = 1 - cos(polar angle), which runs from 0 at the zenith to 2 at the
-/// nadir: its area is its solid angle. Where a TurnedMap says so, m is the share of the polar angle
-/// instead.
+/// nadir: its area is its solid angle.
 struct SkyPatch
 {
   double azimuth0;
@@ -68,6 +68,9 @@ struct SkyPatch
 
   double Area() const { return (this->azimuth1 - this->azimuth0) * (this->m1 - this->m0); }
 };
+
+/// m where the polar angle is part / whole of pi. Both halves are exact mirror images.
+double FromZenith(std::int64_t part, std::int64_t whole);
 
 /// The unit vector at a height above the horizon (the cosine of the polar angle) and an azimuth.
 inline glm::dvec3 SkyDirection(double height, double azimuth)
@@ -80,14 +83,8 @@ inline glm::dvec3 SkyDirection(double height, double azimuth)
 class TurnedMap
 {
 public:
-  enum Measure
-  {
-    SolidAngle,
-    PolarAngle ///< m is the polar angle over pi
-  };
-
   /// The map must outlive this object.
-  TurnedMap(const RadianceMap& map, double turn, Measure measure = SolidAngle);
+  TurnedMap(const RadianceMap& map, double turn);
 
   /// A column or row of texels, or a part of one, along the axis across it.
   struct Slab
