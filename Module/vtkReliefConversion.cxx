@@ -130,6 +130,48 @@ std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, cons
 }
 
 //------------------------------------------------------------------------------
+std::string vtkReliefConvertColors(
+  vtkImageData* image, vtkDataArray* scalars, const char* what, relief::ColorTexture& result)
+{
+  const std::string wrong = vtkReliefCheckImage(image, scalars, what);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  std::ostringstream message;
+  switch (scalars->GetDataType())
+  {
+    case VTK_UNSIGNED_CHAR:
+      result.type = relief::ColorTexture::Type::Byte;
+      break;
+    case VTK_UNSIGNED_SHORT:
+      result.type = relief::ColorTexture::Type::Short;
+      break;
+    case VTK_FLOAT:
+      result.type = relief::ColorTexture::Type::Float;
+      break;
+    case VTK_DOUBLE:
+      result.type = relief::ColorTexture::Type::Double;
+      break;
+    default:
+      message << "the " << what << " scalars are of type " << scalars->GetDataTypeAsString()
+              << "; unsigned char or unsigned short (sRGB), float or double (linear) is expected";
+      return message.str();
+  }
+  result.components = scalars->GetNumberOfComponents();
+  if (result.components < 1 || result.components > 4)
+  {
+    message << "the " << what << " image has " << result.components
+            << " components, 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha) are expected";
+    return message.str();
+  }
+  result.texels = scalars->GetVoidPointer(0);
+  result.columns = image->GetDimensions()[0];
+  result.rows = image->GetDimensions()[1];
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkReliefConvertLight(
   vtkLight* light, const vtkReliefImageFrame& frame, double datum, relief::Light& result)
 {
@@ -211,7 +253,7 @@ std::string vtkReliefConvertLights(vtkReliefScene* scene, vtkLightCollection* ot
     const std::string wrong = vtkReliefEnvironmentSampler::Sample(environment, frame, samples);
     if (!wrong.empty())
     {
-      return "environment: " + wrong;
+      return wrong;
     }
     if (std::isfinite(environment->GetRadius()))
     {

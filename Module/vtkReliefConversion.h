@@ -46,6 +46,10 @@ std::string vtkReliefCheckImage(vtkImageData* image, vtkDataArray* scalars, cons
 /// Checks that an image is one slice of scalars of one component.
 std::string vtkReliefCheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what);
 
+/// An image of grey, RGB or either with alpha as a texture whose place is left open.
+std::string vtkReliefConvertColors(
+  vtkImageData* image, vtkDataArray* scalars, const char* what, relief::ColorTexture& result);
+
 /// One of VTK's lights in the image's frame, above the field's datum.
 std::string vtkReliefConvertLight(
   vtkLight* light, const vtkReliefImageFrame& frame, double datum, relief::Light& result);

@@ -2,7 +2,6 @@
 #include "vtkReliefEnvironment.h"
 
 #include "vtkCommand.h"
-#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -22,7 +21,6 @@
 #include <algorithm>
 #include <limits>
 #include <new>
-#include <sstream>
 #include <tuple>
 
 vtkStandardNewMacro(vtkReliefEnvironment);
@@ -46,88 +44,15 @@ vtkReliefSetNumberBody(
 namespace
 {
 
-// From stored to linear values.
-class Decoder
+relief::RadianceMap MakeMap(const relief::ColorTexture& colors)
 {
-public:
-  explicit Decoder(int type)
+  relief::RadianceMap map(colors.columns, colors.rows);
+  for (int j = 0; j < colors.rows; ++j)
   {
-    const int levels = type == VTK_UNSIGNED_CHAR ? 256 : type == VTK_UNSIGNED_SHORT ? 65536 : 0;
-    this->Linear.resize(levels);
-    for (int level = 0; level < levels; ++level)
-    {
-      this->Linear[level] = relief::f64::reliefDecode(level / (levels - 1.0));
-    }
-  }
-
-  double operator()(double stored) const
-  {
-    return this->Linear.empty() ? stored : this->Linear[static_cast<std::size_t>(stored)];
-  }
-
-private:
-  std::vector<double> Linear;
-};
-
-std::string CheckImage(vtkImageData* image)
-{
-  std::ostringstream message;
-  const int* extent = image->GetExtent();
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (image->GetNumberOfPoints() < 1)
-  {
-    message << "the image is empty";
-  }
-  else if (extent[4] != extent[5])
-  {
-    message << "the image has " << extent[5] - extent[4] + 1 << " slices, 1 is expected";
-  }
-  else if (!scalars)
-  {
-    message << "the image has no scalars";
-  }
-  else if (scalars->GetNumberOfComponents() < 1 || scalars->GetNumberOfComponents() > 4)
-  {
-    message << "the image has " << scalars->GetNumberOfComponents()
-            << " components, 1 to 4 are expected";
-  }
-  else if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    message << "the image's scalars have " << scalars->GetNumberOfTuples() << " values, "
-            << image->GetNumberOfPoints() << " are expected";
-  }
-  else
-  {
-    const int type = scalars->GetDataType();
-    if (type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT && type != VTK_FLOAT &&
-      type != VTK_DOUBLE)
-    {
-      message << "the image's scalars are of type " << scalars->GetDataTypeAsString()
-              << ", unsigned char or unsigned short (sRGB), float or double (linear) is expected";
-    }
-  }
-  return message.str();
-}
-
-relief::RadianceMap ReadImage(vtkImageData* image)
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const int columns = image->GetDimensions()[0];
-  const int rows = image->GetDimensions()[1];
-  const bool grey = scalars->GetNumberOfComponents() < 3;
-  const Decoder decode(scalars->GetDataType());
-  relief::RadianceMap map(columns, rows);
-  for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
+    for (int i = 0; i < colors.columns; ++i)
     {
       // The zenith is the picture's top row, the image's last.
-      const vtkIdType at = static_cast<vtkIdType>(rows - 1 - j) * columns + i;
-      const double red = decode(scalars->GetComponent(at, 0));
-      map.Set(i, j,
-        grey ? glm::dvec3(red)
-             : glm::dvec3(
-                 red, decode(scalars->GetComponent(at, 1)), decode(scalars->GetComponent(at, 2))));
+      map.Set(i, j, colors.ReadColor(i, colors.rows - 1 - j));
     }
   }
   return map;
@@ -328,7 +253,9 @@ std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environmen
   {
     return std::string();
   }
-  const std::string wrong = CheckImage(image);
+  relief::ColorTexture colors;
+  const std::string wrong =
+    vtkReliefConvertColors(image, image->GetPointData()->GetScalars(), "environment", colors);
   if (!wrong.empty())
   {
     return wrong;
@@ -349,7 +276,7 @@ std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environmen
   {
     if (internal.MapTime != time)
     {
-      internal.Map = ReadImage(image);
+      internal.Map = MakeMap(colors);
       internal.MapTime = time;
       if (internal.Map.GetCleaned() > 0)
       {
@@ -372,7 +299,7 @@ std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environmen
   }
   catch (const std::bad_alloc&)
   {
-    return "there is not enough memory for its lights";
+    return "there is not enough memory for the environment's lights";
   }
   for (relief::Light& light : lights)
   {

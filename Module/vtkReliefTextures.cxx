@@ -43,48 +43,13 @@ std::string Bounds(vtkImageData* image)
 std::string Convert(
   vtkImageData* image, vtkDataArray* scalars, const char* what, relief::ColorTexture& result)
 {
-  std::string wrong = vtkReliefCheckImage(image, scalars, what);
-  vtkReliefImageFrame frame;
-  if (wrong.empty())
-  {
-    wrong = frame.Assign(image);
-    wrong = wrong.empty() ? wrong : std::string("the ") + what + " image: " + wrong;
-  }
+  const std::string wrong = vtkReliefConvertColors(image, scalars, what, result);
   if (!wrong.empty())
   {
     return wrong;
   }
-  std::ostringstream message;
-  switch (scalars->GetDataType())
-  {
-    case VTK_UNSIGNED_CHAR:
-      result.type = relief::ColorTexture::Type::Byte;
-      break;
-    case VTK_UNSIGNED_SHORT:
-      result.type = relief::ColorTexture::Type::Short;
-      break;
-    case VTK_FLOAT:
-      result.type = relief::ColorTexture::Type::Float;
-      break;
-    case VTK_DOUBLE:
-      result.type = relief::ColorTexture::Type::Double;
-      break;
-    default:
-      message << "the " << what << " scalars are of type " << scalars->GetDataTypeAsString()
-              << "; unsigned char or unsigned short (sRGB), float or double (linear) is expected";
-      return message.str();
-  }
-  result.components = scalars->GetNumberOfComponents();
-  if (result.components > 4)
-  {
-    message << "the " << what << " image has " << result.components
-            << " components, 1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha) are expected";
-    return message.str();
-  }
-  result.texels = scalars->GetVoidPointer(0);
-  result.columns = image->GetDimensions()[0];
-  result.rows = image->GetDimensions()[1];
-  return std::string();
+  const std::string wrongFrame = vtkReliefImageFrame().Assign(image);
+  return wrongFrame.empty() ? wrongFrame : std::string("the ") + what + " image: " + wrongFrame;
 }
 
 // Places a texture where its image lies in the world. Where their planes differ, each sample is

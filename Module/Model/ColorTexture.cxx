@@ -40,6 +40,7 @@ struct Encoded
 {
   const std::array<float, std::numeric_limits<Code>::max() + 1>& table = DecodeTable<Code>();
 
+  double Stored(Code code) const { return this->table[code]; }
   float Color(Code code) const { return this->table[code]; }
   float Alpha(Code code) const
   {
@@ -54,6 +55,7 @@ struct Linear
   {
     return value >= T(0) && value <= static_cast<T>(std::numeric_limits<float>::max());
   }
+  double Stored(T value) const { return value; }
   float Color(T value) const { return Usable(value) ? static_cast<float>(value) : 0.0f; }
   float Alpha(T value) const { return std::min(this->Color(value), 1.0f); }
 };
@@ -84,6 +86,14 @@ struct Reader
           this->Decode.Color(texel[0]), this->Decode.Color(texel[1]), this->Decode.Color(texel[2]));
     const float alpha = components % 2 == 0 ? this->Decode.Alpha(texel[components - 1]) : 1.0f;
     return glm::vec4(alpha * color, alpha);
+  }
+
+  glm::dvec3 Color(int column, int row) const
+  {
+    const T* texel = this->At(column, row);
+    const int next = this->Texture.components < 3 ? 0 : 1; // grey repeats
+    return glm::dvec3(this->Decode.Stored(texel[0]), this->Decode.Stored(texel[next]),
+      this->Decode.Stored(texel[2 * next]));
   }
 
   const ColorTexture& Texture;
@@ -181,6 +191,11 @@ bool ColorTexture::Overlaps(double i0, double i1, double j0, double j1) const
 glm::vec4 ColorTexture::Read(int column, int row) const
 {
   return WithReader(*this, [&](const auto& read) { return read(column, row); });
+}
+
+glm::dvec3 ColorTexture::ReadColor(int column, int row) const
+{
+  return WithReader(*this, [&](const auto& read) { return read.Color(column, row); });
 }
 
 void ColorTexture::Cover(int i0, int i1, int j, glm::vec3* colors) const

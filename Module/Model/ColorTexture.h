@@ -46,6 +46,9 @@ struct ColorTexture
   /// finite, or too large for single precision count as 0, an alpha above 1 as 1.
   glm::vec4 Read(int column, int row) const;
 
+  /// A texel's colour in linear light, whatever its alpha is, and whether or not it is finite.
+  glm::dvec3 ReadColor(int column, int row) const;
+
   /// Lays the texture over the colours of the samples [i0, i1) of row j. Bilinear between the
   /// centres of texels; level from the outermost centres to the outer edge, half a texel beyond;
   /// farther out the colours stay.

@@ -182,19 +182,19 @@ int TestImages()
     Lit lit(MakeHeights(3, 3, [](int, int) { return 0.0; }), map);
     MessageKeeper messages(lit.Shading);
     bool empty = lit.Update()->GetNumberOfPoints() == 0;
-    return messages.OneError("environment: the image" + text) && empty;
+    return messages.OneError("the environment" + text) && empty;
   };
   vtkNew<vtkImageData> empty;
-  CHECK(says(empty, " is empty"));
+  CHECK(says(empty, " image is empty"));
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(2, 2, 1);
-  CHECK(says(bare, " has no scalars"));
-  CHECK(says(MakeMap(2, 2, 5, constant(1.0)), " has 5 components"));
-  CHECK(says(MakeMap<vtkIntArray>(2, 2, 3, constant(1.0)), "'s scalars are of type int"));
+  CHECK(says(bare, " image has no scalars"));
+  CHECK(says(MakeMap(2, 2, 5, constant(1.0)), " image has 5 components"));
+  CHECK(says(MakeMap<vtkIntArray>(2, 2, 3, constant(1.0)), " scalars are of type int"));
   vtkNew<vtkImageData> thick;
   thick->SetDimensions(2, 2, 2);
   thick->AllocateScalars(VTK_FLOAT, 3);
-  CHECK(says(thick, " has 2 slices"));
+  CHECK(says(thick, " image has 2 slices"));
 
   // Texels that are no radiance are counted, once for every change of the image.
   const double nan = std::numeric_limits<double>::quiet_NaN();
