@@ -3,16 +3,12 @@
 
 #include "vtkActor2D.h"
 #include "vtkArrayDispatch.h"
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkProp3D.h"
@@ -24,6 +20,7 @@
 
 #include "LightCompass.h"
 #include "LightDot.h"
+#include "LightFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +30,7 @@ vtkStandardNewMacro(vtkReliefLightRepresentation);
 
 using relief::widget::LightCompass;
 using relief::widget::LightDot;
+using relief::widget::LightFrame;
 using relief::widget::PlacedLight;
 
 namespace
@@ -75,18 +73,14 @@ public:
   double GetPlaneHeight();
   bool GetLight(PlacedLight& placed);
   bool SetLight(const PlacedLight& placed);
-  void GetLocalToShown(vtkMatrix4x4* matrix);
   bool LocalToDisplay(const double local[3], double display[2]);
-  bool DisplayToPlane(const double display[2], double point[2]);
   bool GetDotInDisplay(double display[2]);
   std::vector<relief::widget::Point> GetHorizon();
   void GetDotColor(double color[3]);
 
   vtkReliefLightRepresentation* Owner;
 
-  // The place. Local coordinates are x and y from the middle of the relief, z as heights.
-  vtkNew<vtkMatrix4x4> LocalToWorld;
-  double ImageHeight = 0.0; // z of the image's plane
+  LightFrame Frame;
   LightCompass Compass;
 
   // How far away a sun was when it was a lamp.
@@ -116,97 +110,29 @@ LightCompass& vtkReliefLightRepresentation::Internals::UpdateCompass()
 //------------------------------------------------------------------------------
 double vtkReliefLightRepresentation::Internals::GetPlaneHeight()
 {
-  return this->Owner->Draped ? this->UpdateCompass().MeanHeight : this->ImageHeight;
+  return this->Owner->Draped ? this->UpdateCompass().MeanHeight : this->Frame.ImageHeight;
 }
 
 //------------------------------------------------------------------------------
 bool vtkReliefLightRepresentation::Internals::GetLight(PlacedLight& placed)
 {
   vtkLight* light = this->Owner->GetLight();
-  if (!light)
+  if (!light || !this->Frame.Read(light, placed))
   {
     return false;
   }
-  double position[4] = { 0.0, 0.0, 0.0, 1.0 };
-  double focal[4] = { 0.0, 0.0, 0.0, 1.0 };
-  light->GetTransformedPosition(position);
-  light->GetTransformedFocalPoint(focal);
-  vtkNew<vtkMatrix4x4> toLocal;
-  vtkMatrix4x4::Invert(this->LocalToWorld, toLocal);
-  toLocal->MultiplyPoint(position, position);
-  placed.Positional = light->GetPositional() != 0;
-  if (placed.Positional)
+  if (!placed.Positional)
   {
-    std::copy_n(position, 3, placed.Vector);
-    return std::isfinite(position[0] + position[1] + position[2]);
+    this->Compass.Remember(placed);
   }
-  toLocal->MultiplyPoint(focal, focal);
-  vtkMath::Subtract(position, focal, placed.Vector);
-  const double length = vtkMath::Normalize(placed.Vector);
-  if (!std::isfinite(length) || length == 0.0)
-  {
-    return false;
-  }
-  this->Compass.Remember(placed);
   return true;
 }
 
 //------------------------------------------------------------------------------
-// A light's own coordinates become the world's by its transform. A sun keeps its focal point and
-// how far away it stands; only what was a lamp gets those of vtkReliefScene::AddSun.
 bool vtkReliefLightRepresentation::Internals::SetLight(const PlacedLight& placed)
 {
   vtkLight* light = this->Owner->GetLight();
-  vtkNew<vtkMatrix4x4> fromWorld;
-  if (!light || (light->GetTransformMatrix() && light->GetTransformMatrix()->Determinant() == 0.0))
-  {
-    return false;
-  }
-  if (light->GetTransformMatrix())
-  {
-    vtkMatrix4x4::Invert(light->GetTransformMatrix(), fromWorld);
-  }
-  double position[4] = { placed.Vector[0], placed.Vector[1], placed.Vector[2],
-    placed.Positional ? 1.0 : 0.0 };
-  this->LocalToWorld->MultiplyPoint(position, position);
-  if (!placed.Positional)
-  {
-    double distance = 1.0;
-    if (light->GetPositional())
-    {
-      light->SetFocalPoint(0.0, 0.0, 0.0);
-    }
-    double focal[3];
-    light->GetTransformedFocalPoint(focal);
-    if (!light->GetPositional())
-    {
-      double old[3];
-      light->GetTransformedPosition(old);
-      distance = std::sqrt(vtkMath::Distance2BetweenPoints(old, focal));
-    }
-    vtkMath::Normalize(position);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      position[axis] = focal[axis] + distance * position[axis];
-    }
-    position[3] = 1.0;
-  }
-  fromWorld->MultiplyPoint(position, position);
-  light->SetPositional(placed.Positional);
-  light->SetPosition(position);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkReliefLightRepresentation::Internals::GetLocalToShown(vtkMatrix4x4* matrix)
-{
-  matrix->DeepCopy(this->LocalToWorld);
-  if (this->Owner->Prop)
-  {
-    vtkNew<vtkMatrix4x4> moved;
-    this->Owner->Prop->GetMatrix(moved);
-    vtkMatrix4x4::Multiply4x4(moved, matrix, matrix);
-  }
+  return light && this->Frame.Write(placed, light);
 }
 
 //------------------------------------------------------------------------------
@@ -214,68 +140,7 @@ bool vtkReliefLightRepresentation::Internals::LocalToDisplay(
   const double local[3], double display[2])
 {
   vtkRenderer* renderer = this->Owner->Renderer;
-  if (!renderer)
-  {
-    return false;
-  }
-  vtkNew<vtkMatrix4x4> shown;
-  this->GetLocalToShown(shown);
-  double point[4] = { local[0], local[1], local[2], 1.0 };
-  shown->MultiplyPoint(point, point);
-  renderer->GetActiveCamera()
-    ->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), 0.0, 1.0)
-    ->MultiplyPoint(point, point);
-  // w is the depth in perspective; behind the camera a point would come out upside down.
-  if (!(point[3] > 0.0))
-  {
-    return false;
-  }
-  renderer->SetViewPoint(point[0] / point[3], point[1] / point[3], point[2] / point[3]);
-  renderer->ViewToDisplay();
-  std::copy_n(renderer->GetDisplayPoint(), 2, display);
-  return std::isfinite(display[0] + display[1]);
-}
-
-//------------------------------------------------------------------------------
-bool vtkReliefLightRepresentation::Internals::DisplayToPlane(
-  const double display[2], double point[2])
-{
-  vtkRenderer* renderer = this->Owner->Renderer;
-  if (!renderer)
-  {
-    return false;
-  }
-  vtkNew<vtkMatrix4x4> shown;
-  vtkNew<vtkMatrix4x4> toLocal;
-  this->GetLocalToShown(shown);
-  if (shown->Determinant() == 0.0)
-  {
-    return false;
-  }
-  vtkMatrix4x4::Invert(shown, toLocal);
-  double ends[2][4];
-  for (int end = 0; end < 2; ++end)
-  {
-    renderer->SetDisplayPoint(display[0], display[1], end);
-    renderer->DisplayToWorld();
-    renderer->GetWorldPoint(ends[end]);
-    for (int i = 0; i < 4; ++i)
-    {
-      ends[end][i] /= renderer->GetWorldPoint()[3];
-    }
-    toLocal->MultiplyPoint(ends[end], ends[end]);
-  }
-  const double along = (this->GetPlaneHeight() - ends[0][2]) / (ends[1][2] - ends[0][2]);
-  double hit[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    hit[axis] = ends[0][axis] + along * (ends[1][axis] - ends[0][axis]);
-  }
-  std::copy_n(hit, 2, point);
-  // Not finite where the line runs along the plane; not seen where it meets the plane behind the
-  // camera.
-  double seen[2];
-  return std::isfinite(hit[0] + hit[1] + hit[2]) && this->LocalToDisplay(hit, seen);
+  return renderer && this->Frame.ToDisplay(renderer, this->Owner->Prop, local, display);
 }
 
 //------------------------------------------------------------------------------
@@ -400,36 +265,13 @@ void vtkReliefLightRepresentation::PlaceWidget(vtkImageData* heights)
                       << " was given, an image with scalars is expected; the place is kept.");
     return;
   }
-  const int* extent = heights->GetExtent();
-  const double* spacing = heights->GetSpacing();
-  const double* direction = heights->GetDirectionMatrix()->GetData();
-  const double* origin = heights->GetOrigin();
-  const double size = spacing[0] * spacing[1] * vtkMatrix3x3::Determinant(direction);
-  if (!std::isfinite(size + origin[0] + origin[1] + origin[2]) || size == 0.0)
+  if (!this->Internal->Frame.Place(heights, this->Internal->Compass.HalfSize))
   {
     vtkErrorMacro(
       "PlaceWidget: an image was given whose origin, spacing or direction matrix is not "
       "finite, or whose spacing is 0 or matrix singular; the place is kept.");
     return;
   }
-  double middle[3] = { 0.0, 0.0, 0.0 };
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    middle[axis] = 0.5 * (extent[2 * axis] + extent[2 * axis + 1]) * spacing[axis];
-    this->Internal->Compass.HalfSize[axis] =
-      0.5 * (extent[2 * axis + 1] - extent[2 * axis]) * std::abs(spacing[axis]);
-  }
-  double world[3];
-  vtkMatrix3x3::MultiplyPoint(direction, middle, world);
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      this->Internal->LocalToWorld->SetElement(row, column, direction[3 * row + column]);
-    }
-    this->Internal->LocalToWorld->SetElement(row, 3, world[row] + origin[row]);
-  }
-  this->Internal->ImageHeight = extent[4] * spacing[2];
   MeanWorker worker;
   if (!vtkArrayDispatch::Dispatch::Execute(values, worker))
   {
@@ -452,15 +294,7 @@ void vtkReliefLightRepresentation::PlaceWidget(double bounds[6])
                                              "are expected; the place is kept.");
     return;
   }
-  this->Internal->LocalToWorld->Identity();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Internal->LocalToWorld->SetElement(
-      axis, 3, 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]));
-  }
-  this->Internal->Compass.HalfSize[0] = 0.5 * (bounds[1] - bounds[0]);
-  this->Internal->Compass.HalfSize[1] = 0.5 * (bounds[3] - bounds[2]);
-  this->Internal->ImageHeight = 0.0;
+  this->Internal->Frame.Place(bounds, this->Internal->Compass.HalfSize);
   this->MeanHeight = 0.0;
   this->Placed = 1;
   this->Modified();
@@ -474,12 +308,9 @@ bool vtkReliefLightRepresentation::GetDotPosition(double position[3])
   {
     return false;
   }
-  double dot[4] = { 0.0, 0.0, this->Internal->GetPlaneHeight(), 1.0 };
+  double dot[3] = { 0.0, 0.0, this->Internal->GetPlaneHeight() };
   this->Internal->UpdateCompass().GetDot(placed, dot);
-  vtkNew<vtkMatrix4x4> shown;
-  this->Internal->GetLocalToShown(shown);
-  shown->MultiplyPoint(dot, dot);
-  std::copy_n(dot, 3, position);
+  this->Internal->Frame.ToShown(this->Prop, dot, position);
   return true;
 }
 
@@ -489,7 +320,9 @@ bool vtkReliefLightRepresentation::MoveDot(double displayX, double displayY)
   PlacedLight placed;
   const double display[2] = { displayX, displayY };
   double point[2];
-  if (!this->Internal->GetLight(placed) || !this->Internal->DisplayToPlane(display, point))
+  if (!this->Renderer || !this->Internal->GetLight(placed) ||
+    !this->Internal->Frame.FromDisplay(
+      this->Renderer, this->Prop, display, this->Internal->GetPlaneHeight(), point))
   {
     return false;
   }
@@ -682,9 +515,8 @@ void vtkReliefLightRepresentation::ShallowCopy(vtkProp* prop)
     this->SetDraped(other->Draped);
     this->SetOutlineColor(other->OutlineColor);
     this->SetSelectedOutlineColor(other->SelectedOutlineColor);
-    this->Internal->LocalToWorld->DeepCopy(other->Internal->LocalToWorld);
+    this->Internal->Frame.Copy(other->Internal->Frame);
     this->Internal->Compass = other->Internal->Compass;
-    this->Internal->ImageHeight = other->Internal->ImageHeight;
     this->MeanHeight = other->MeanHeight;
   }
   this->Superclass::ShallowCopy(prop);
