@@ -13,6 +13,7 @@
 #include "vtkReliefHeights.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
+#include "vtkReliefSetters.h"
 #include "vtkReliefStatistics.h"
 #include "vtkReliefTextures.h"
 #include "vtkSMPTools.h"
@@ -22,11 +23,12 @@
 #include "SceneShading.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <sstream>
 
 vtkStandardNewMacro(vtkImageReliefShading);
+
+#define vtkReliefThisClass vtkImageReliefShading
 
 static_assert(static_cast<int>(vtkReliefStatistics::Illumination) == relief::IlluminationEffect);
 static_assert(static_cast<int>(vtkReliefStatistics::Normals) == relief::NormalsEffect);
@@ -95,19 +97,7 @@ vtkImageReliefShading::vtkImageReliefShading()
 vtkImageReliefShading::~vtkImageReliefShading() = default;
 
 //------------------------------------------------------------------------------
-void vtkImageReliefShading::SetScene(vtkReliefScene* scene)
-{
-  if (!scene)
-  {
-    vtkErrorMacro("SetScene: null was given, a vtkReliefScene is expected; the old scene is kept.");
-    return;
-  }
-  if (this->Internal->Scene != scene)
-  {
-    this->Internal->Scene = scene;
-    this->Modified();
-  }
-}
+vtkReliefSetObjectBody(Scene, vtkReliefScene, this->Internal->Scene);
 
 //------------------------------------------------------------------------------
 vtkReliefScene* vtkImageReliefShading::GetScene()
@@ -133,17 +123,7 @@ vtkScalarsToColors* vtkImageReliefShading::GetLookupTable()
 }
 
 //------------------------------------------------------------------------------
-void vtkImageReliefShading::SetNoDataValue(double value)
-{
-  // Never equal to itself, NaN must not count as a change.
-  bool same = this->NoDataValue == value || (std::isnan(value) && std::isnan(this->NoDataValue));
-  if (!same || !this->UseNoDataValue)
-  {
-    this->NoDataValue = value;
-    this->UseNoDataValue = true;
-    this->Modified();
-  }
-}
+vtkReliefSetNoDataValueBody();
 
 //------------------------------------------------------------------------------
 void vtkImageReliefShading::SetOutputScalarType(int type)

@@ -17,7 +17,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkAbstractObjectFactoryNewMacro(vtkReliefImageMapper);
 
@@ -45,19 +44,7 @@ vtkReliefImageMapper::vtkReliefImageMapper()
 vtkReliefImageMapper::~vtkReliefImageMapper() = default;
 
 //------------------------------------------------------------------------------
-void vtkReliefImageMapper::SetScene(vtkReliefScene* scene)
-{
-  if (!scene)
-  {
-    vtkErrorMacro("SetScene: null was given, a vtkReliefScene is expected; the old scene is kept.");
-    return;
-  }
-  if (this->Scene != scene)
-  {
-    this->Scene = scene;
-    this->Modified();
-  }
-}
+vtkReliefSetObjectBody(Scene, vtkReliefScene, this->Scene);
 
 //------------------------------------------------------------------------------
 vtkReliefScene* vtkReliefImageMapper::GetScene()
@@ -66,17 +53,7 @@ vtkReliefScene* vtkReliefImageMapper::GetScene()
 }
 
 //------------------------------------------------------------------------------
-void vtkReliefImageMapper::SetNoDataValue(double value)
-{
-  // Never equal to itself, NaN must not count as a change.
-  bool same = this->NoDataValue == value || (std::isnan(value) && std::isnan(this->NoDataValue));
-  if (!same || !this->UseNoDataValue)
-  {
-    this->NoDataValue = value;
-    this->UseNoDataValue = true;
-    this->Modified();
-  }
-}
+vtkReliefSetNoDataValueBody();
 
 //------------------------------------------------------------------------------
 void vtkReliefImageMapper::SetLookupTable(vtkScalarsToColors* table)

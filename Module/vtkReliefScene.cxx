@@ -41,21 +41,7 @@ vtkReliefScene::vtkReliefScene()
 vtkReliefScene::~vtkReliefScene() = default;
 
 //------------------------------------------------------------------------------
-void vtkReliefScene::SetMaterial(vtkReliefMaterial* material)
-{
-  if (!material)
-  {
-    vtkErrorMacro(
-      "SetMaterial: null was given, a vtkReliefMaterial is expected; the old material is "
-      "kept.");
-    return;
-  }
-  if (this->Material != material)
-  {
-    this->Material = material;
-    this->Modified();
-  }
-}
+vtkReliefSetObjectBody(Material, vtkReliefMaterial, this->Material);
 
 //------------------------------------------------------------------------------
 vtkReliefMaterial* vtkReliefScene::GetMaterial()

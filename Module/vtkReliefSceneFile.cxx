@@ -10,6 +10,7 @@
 #include "vtkReliefEnvironment.h"
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
+#include "vtkReliefSetters.h"
 
 #include "ImageFileAccess.h"
 #include "SceneText.h"
@@ -21,6 +22,8 @@
 #include <cstring>
 
 vtkStandardNewMacro(vtkReliefSceneFile);
+
+#define vtkReliefThisClass vtkReliefSceneFile
 
 using relief::io::Failure;
 using relief::io::Guard;
@@ -125,19 +128,7 @@ vtkReliefSceneFile::~vtkReliefSceneFile()
 }
 
 //------------------------------------------------------------------------------
-void vtkReliefSceneFile::SetScene(vtkReliefScene* scene)
-{
-  if (!scene)
-  {
-    vtkErrorMacro("SetScene: null was given, a vtkReliefScene is expected; the old scene is kept.");
-    return;
-  }
-  if (this->Scene != scene)
-  {
-    this->Scene = scene;
-    this->Modified();
-  }
-}
+vtkReliefSetObjectBody(Scene, vtkReliefScene, this->Scene);
 
 //------------------------------------------------------------------------------
 vtkReliefScene* vtkReliefSceneFile::GetScene()

@@ -67,4 +67,36 @@
     }                                                                                              \
   }
 
+/// An object that must not be null, kept in `holder`.
+#define vtkReliefSetObjectBody(name, type, holder)                                                 \
+  void vtkReliefThisClass::Set##name(type* value)                                                  \
+  {                                                                                                \
+    if (!value)                                                                                    \
+    {                                                                                              \
+      vtkErrorMacro(                                                                               \
+        "Set" #name ": null was given, a " #type " is expected; the old one is kept.");            \
+      return;                                                                                      \
+    }                                                                                              \
+    if ((holder) != value)                                                                         \
+    {                                                                                              \
+      (holder) = value;                                                                            \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }
+
+/// The number that stands for no data, and that there is one.
+#define vtkReliefSetNoDataValueBody()                                                              \
+  void vtkReliefThisClass::SetNoDataValue(double value)                                            \
+  {                                                                                                \
+    /* Never equal to itself, NaN must not count as a change. */                                   \
+    const bool same =                                                                              \
+      this->NoDataValue == value || (std::isnan(value) && std::isnan(this->NoDataValue));          \
+    if (!same || !this->UseNoDataValue)                                                            \
+    {                                                                                              \
+      this->NoDataValue = value;                                                                   \
+      this->UseNoDataValue = true;                                                                 \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }
+
 #endif

@@ -2,6 +2,7 @@
 #ifndef ReliefTestUtilities_h
 #define ReliefTestUtilities_h
 
+#include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -12,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -173,6 +175,37 @@ private:
   vtkObject* Object;
   unsigned long Tags[2];
   std::vector<std::pair<unsigned long, std::string>> Messages;
+};
+
+/// Keeps what an algorithm reports as progress, and stops it on the way if it is told to.
+class ProgressKeeper
+{
+public:
+  explicit ProgressKeeper(vtkAlgorithm* algorithm)
+    : Algorithm(algorithm)
+    , Tag(algorithm->AddObserver(vtkCommand::ProgressEvent, this, &ProgressKeeper::Keep))
+  {
+  }
+  ~ProgressKeeper() { this->Algorithm->RemoveObserver(this->Tag); }
+  ProgressKeeper(const ProgressKeeper&) = delete;
+  void operator=(const ProgressKeeper&) = delete;
+
+  bool Rises() const { return std::is_sorted(this->Steps.begin(), this->Steps.end()); }
+
+  double StopAbove = VTK_DOUBLE_MAX;
+  std::vector<double> Steps;
+  std::function<void()> AtStep = [] {};
+
+private:
+  void Keep(vtkObject*, unsigned long, void* amount)
+  {
+    this->Steps.push_back(*static_cast<double*>(amount));
+    this->AtStep();
+    this->Algorithm->SetAbortExecute(this->Steps.back() > this->StopAbove);
+  }
+
+  vtkAlgorithm* Algorithm;
+  unsigned long Tag;
 };
 
 #endif

@@ -2,7 +2,6 @@
 // Threads and pieces give the same bytes; statistics; progress, abort and memory.
 #include "vtkImageReliefShading.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkExtentTranslator.h"
 #include "vtkLight.h"
 #include "vtkReliefMaterial.h"
@@ -286,40 +285,17 @@ void TestProgressAndAbort()
   vtkNew<vtkImageReliefShading> filter;
   SetUp(filter, vtkReliefMaterial::Vertical);
   filter->SetCacheMemoryLimit(0);
-  std::vector<double> progress;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&progress);
-  listener->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void*)
-    {
-      static_cast<std::vector<double>*>(data)->push_back(
-        vtkAlgorithm::SafeDownCast(caller)->GetProgress());
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, listener);
+  ProgressKeeper progress(filter);
   filter->Update();
-  CHECK(progress.size() >= 3);
-  for (std::size_t k = 1; k < progress.size(); ++k)
-  {
-    CHECK(progress[k] >= progress[k - 1] && progress[k] <= 1.0);
-  }
+  CHECK(progress.Steps.size() >= 3 && progress.Rises() && progress.Steps.back() <= 1.0);
 
-  vtkNew<vtkCallbackCommand> stopper;
-  stopper->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      vtkAlgorithm* algorithm = vtkAlgorithm::SafeDownCast(caller);
-      if (algorithm->GetProgress() > 0.3)
-      {
-        algorithm->SetAbortExecute(1);
-      }
-    });
-  unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stopper);
-  progress.clear();
+  progress.StopAbove = 0.3;
+  progress.Steps.clear();
   filter->Modified();
   filter->Update();
-  CHECK(!progress.empty() && progress[progress.size() - 1] < 0.9);
+  CHECK(!progress.Steps.empty() && progress.Steps.back() < 0.9);
   CHECK(filter->GetOutput()->GetNumberOfPoints() == 0);
-  filter->RemoveObserver(tag);
+  progress.StopAbove = VTK_DOUBLE_MAX;
   filter->Update();
   CHECK(filter->GetOutput()->GetNumberOfPoints() == 131 * 97);
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkOpenEXRLayerWriter: layers that sum to the colour, names, number types, metadata, refusals,
-// whole files or none. Files are read back by OpenImageIO and checked by OpenEXR.
+// vtkOpenEXRLayerWriter: layers that sum to the colour, names, number types, metadata.
 #include "vtkOpenEXRLayerWriter.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkLight.h"
@@ -13,7 +11,7 @@
 #include "vtkReliefScene.h"
 #include "vtkUnsignedCharArray.h"
 
-#include "ImageFileTestUtilities.h"
+#include "OpenEXRLayerTestUtilities.h"
 
 #include <ImfCheckFile.h>
 #include <ImfHeader.h>
@@ -27,154 +25,8 @@
 #include <set>
 #include <sstream>
 
-#ifndef _WIN32
-#include <csignal>
-#include <sys/resource.h>
-#endif
-
 namespace
 {
-int Failures = 0;
-std::string Directory;
-
-const float NaN = std::numeric_limits<float>::quiet_NaN();
-const float Infinity = std::numeric_limits<float>::infinity();
-
-/// What OpenEXR's program exrcheck finds. The function returns whether it found damage, though its
-/// header says the opposite; TestWholeFiles sees to it that it does.
-bool IsDamaged(const std::string& name)
-{
-  return Imf::checkOpenEXRFile(name.c_str());
-}
-
-/// A file as OpenImageIO sees it.
-struct Layers
-{
-  explicit Layers(const std::string& name)
-    : Values(ReadFile(name, this->Spec))
-  {
-    CHECK(!this->Values.empty());
-    CHECK(!IsDamaged(name));
-  }
-
-  int Index(const std::string& channel) const
-  {
-    const int index = this->Spec.channelindex(channel);
-    if (index < 0)
-    {
-      std::cout << "there is no channel " << channel << std::endl;
-      ++Failures;
-    }
-    return index;
-  }
-
-  /// A value by the image's indices from its lower left sample.
-  float At(int channel, int i, int j) const
-  {
-    const size_t pixel = static_cast<size_t>(this->Spec.height - 1 - j) * this->Spec.width + i;
-    return channel < 0 || this->Values.empty()
-      ? NaN
-      : this->Values[pixel * this->Spec.nchannels + channel];
-  }
-  float operator()(const std::string& channel, int i, int j) const
-  {
-    return this->At(this->Index(channel), i, j);
-  }
-
-  OIIO::TypeDesc Type(const std::string& channel) const
-  {
-    return this->Spec.channelformat(this->Spec.channelindex(channel));
-  }
-
-  OIIO::ImageSpec Spec;
-  std::vector<float> Values;
-};
-
-/// Hills with a hole, every layer, two lights, extents that begin elsewhere.
-vtkSmartPointer<vtkImageData> MakeShaded(int columns, int rows, vtkReliefScene* scene)
-{
-  const auto hills = Hills(5);
-  auto heights =
-    MakeHeights(columns, rows, [&](int i, int j) { return i == 3 && j == 2 ? NaN : hills(i, j); });
-  heights->SetExtent(7, 6 + columns, -4, rows - 5, 2, 2);
-  heights->SetOrigin(1000.0, 2000.0, 0.0);
-  heights->SetSpacing(2.0, 3.0, 1.0);
-  vtkReliefMaterial* material = scene->GetMaterial();
-  material->SetBaseColor(0.1, 0.05, 0.02);
-  material->SetDiffuseColor(0.9, 0.7, 0.4);
-  material->SetSpecularCoefficient(0.2);
-  material->SetForwardScatterCoefficient(0.3);
-  material->SetSpecularPower(3.0);
-  material->UseFloorOn();
-  material->SetFloorHeight(-5.0);
-  scene->AddSun(310.0, 35.0)->SetDiffuseColor(1.0, 0.9, 0.7);
-  scene->AddSun(120.0, -20.0)->SetIntensity(0.4);
-  vtkNew<vtkImageReliefShading> shading;
-  shading->SetInputData(heights);
-  shading->SetScene(scene);
-  shading->GenerateBaseOn();
-  shading->GenerateDiffuseOn();
-  shading->GenerateScatterOn();
-  shading->GenerateSpecularOn();
-  shading->GenerateIlluminationOn();
-  shading->GenerateThicknessOn();
-  shading->GenerateNormalsOn();
-  shading->Update();
-  return shading->GetOutput();
-}
-
-void WriteGood(vtkOpenEXRLayerWriter* writer, vtkImageData* image, const std::string& name)
-{
-  MessageKeeper messages(writer);
-  const int files = CountFiles(Directory);
-  const bool old = std::filesystem::exists(name);
-  writer->SetInputData(image);
-  writer->SetFileName(name.c_str());
-  writer->Write();
-  CHECK(writer->GetErrorCode() == vtkErrorCode::NoError && messages.Silent());
-  CHECK(CountFiles(Directory) == files + (old ? 0 : 1));
-}
-
-//------------------------------------------------------------------------------
-// Every sample of every channel is the array's, NaN as 0.
-void CompareWithArrays(const Layers& file, vtkImageData* image)
-{
-  static const std::vector<std::pair<std::string, std::string>> channels = { { "", "RGBA" },
-    { "Base", "RGB" }, { "Diffuse", "RGB" }, { "Scatter", "RGB" }, { "Specular", "RGB" },
-    { "Illumination", "Y" }, { "Thickness", "Z" }, { "Normals", "XYZ" } };
-  int extent[6];
-  image->GetExtent(extent);
-  std::set<std::string> expected;
-  size_t wrong = 0;
-  for (const auto& layer : channels)
-  {
-    for (size_t c = 0; c < layer.second.size(); ++c)
-    {
-      const std::string name = (layer.first.empty() ? "" : layer.first + ".") + layer.second[c];
-      expected.insert(name);
-      const int index = file.Index(name);
-      vtkDataArray* array = layer.first.empty()
-        ? image->GetPointData()->GetScalars()
-        : image->GetPointData()->GetArray(layer.first.c_str());
-      vtkIdType point = 0;
-      for (int j = extent[2]; j <= extent[3]; ++j)
-      {
-        for (int i = extent[0]; i <= extent[1]; ++i)
-        {
-          const auto value = static_cast<float>(array->GetComponent(point++, static_cast<int>(c)));
-          const float stored = file.At(index, i - extent[0], j - extent[2]);
-          wrong += stored != (std::isnan(value) ? 0.0f : value) ? 1 : 0;
-        }
-      }
-    }
-  }
-  CHECK(wrong == 0);
-  const auto& names = file.Spec.channelnames;
-  CHECK(std::set<std::string>(names.begin(), names.end()) == expected);
-  CHECK(file.Spec.x == 0 && file.Spec.y == 0 && file.Spec.full_x == 0 && file.Spec.full_y == 0);
-  CHECK(file.Spec.full_width == file.Spec.width && file.Spec.full_height == file.Spec.height);
-}
-
 // Base, Diffuse, Scatter and Specular sum to the colour: within the roundings of four sums.
 void CheckSums(const Layers& file)
 {
@@ -573,108 +425,6 @@ void TestMetadata()
 }
 
 //------------------------------------------------------------------------------
-// Writes what is to be refused: one message with the file's name, nothing left behind.
-void Refused(
-  vtkImageData* image, const std::string& name, unsigned long code, const std::string& text)
-{
-  const int files = CountFiles(Directory);
-  vtkNew<vtkOpenEXRLayerWriter> writer;
-  MessageKeeper messages(writer);
-  MessageKeeper pipeline(writer->GetExecutive());
-  writer->SetInputData(image);
-  writer->SetFileName(name.c_str());
-  writer->Write();
-  CHECK(writer->GetErrorCode() == code);
-  CHECK(messages.OneError("Cannot write \"" + name + "\": "));
-  writer->Write();
-  CHECK(messages.OneError(text));
-  CHECK(pipeline.Silent());
-  CHECK(CountFiles(Directory) == files);
-}
-
-vtkSmartPointer<vtkImageData> MakeImage(int type, int components)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(4, 3, 1);
-  image->AllocateScalars(type, components);
-  image->GetPointData()->GetScalars()->Fill(1.0);
-  return image;
-}
-
-void TestRefusals()
-{
-  const std::string name = Directory + "bad.exr";
-  const unsigned long format = vtkErrorCode::FileFormatError;
-  const unsigned long unknown = vtkErrorCode::UnknownError;
-  Refused(MakeImage(VTK_UNSIGNED_CHAR, 4), name, format, "SetOutputScalarTypeToFloat");
-  Refused(MakeImage(VTK_FLOAT, 2), name, format, "the scalars have 2 components of type float");
-  Refused(MakeImage(VTK_FLOAT, 5), name, format, "5 components");
-  Refused(MakeImage(VTK_FLOAT, 4), "", vtkErrorCode::NoFileNameError, "no file name");
-  auto withArray = [](vtkAbstractArray* array, const char* arrayName, int components, int tuples)
-  {
-    auto image = MakeImage(VTK_FLOAT, 4);
-    array->SetName(arrayName);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(tuples);
-    image->GetPointData()->AddArray(array);
-    return image;
-  };
-  vtkNew<vtkUnsignedCharArray> labels;
-  Refused(withArray(labels, "Labels", 1, 12), name, format,
-    "the point array \"Labels\" has 1 component of type unsigned char; 1, 3 or 4");
-  vtkNew<vtkFloatArray> pairs;
-  Refused(withArray(pairs, "Pairs", 2, 12), name, format, "\"Pairs\" has 2 components");
-  vtkNew<vtkFloatArray> few;
-  Refused(withArray(few, "Few", 3, 11), name, unknown, "\"Few\" has 11 values for 12 points");
-  vtkNew<vtkFloatArray> unnamed;
-  Refused(withArray(unnamed, nullptr, 3, 12), name, format, "has no name");
-  vtkNew<vtkFloatArray> named;
-  const std::string longName(300, 'x');
-  Refused(withArray(named, longName.c_str(), 3, 12), name, format, "longer than OpenEXR's 255");
-
-  vtkNew<vtkImageData> empty;
-  Refused(empty, name, unknown, "empty");
-  vtkNew<vtkImageData> bare;
-  bare->SetDimensions(3, 3, 1);
-  Refused(bare, name, unknown, "no scalars");
-  vtkNew<vtkImageData> volume;
-  volume->SetDimensions(3, 3, 3);
-  volume->AllocateScalars(VTK_FLOAT, 4);
-  Refused(volume, name, unknown, "3 slices");
-  auto flat = MakeImage(VTK_FLOAT, 4);
-  flat->SetSpacing(1.0, 0.0, 1.0);
-  Refused(flat, name, unknown, "spacing");
-  auto narrow = MakeImage(VTK_FLOAT, 4);
-  narrow->SetSpacing(1e-9, 1.0, 1.0);
-  Refused(narrow, name, format, "aspect ratio");
-
-  auto good = MakeImage(VTK_FLOAT, 4);
-  const unsigned long place = vtkErrorCode::CannotOpenFileError;
-  Refused(good, Directory + "none/bad.exr", place, "cannot be written");
-  std::filesystem::create_directory(Directory + "folder.exr");
-  Refused(good, Directory + "folder.exr", place, "not a file");
-
-  vtkNew<vtkOpenEXRLayerWriter> writer;
-  MessageKeeper messages(writer);
-  writer->SetFileName(name.c_str());
-  writer->Write();
-  CHECK(messages.OneError("no input") && writer->GetErrorCode() == unknown);
-  writer->SetDWACompressionLevel(-1.0);
-  CHECK(messages.OneError("SetDWACompressionLevel: -1"));
-  writer->SetDWACompressionLevel(NaN);
-  CHECK(messages.OneError("SetDWACompressionLevel: nan"));
-  CHECK(writer->GetDWACompressionLevel() == 45.0);
-  for (const char* reserved : { "", "channels", "tiles", "relief:lights" })
-  {
-    writer->SetAttribute(reserved, "text");
-    CHECK(messages.OneError(std::string("SetAttribute: \"") + reserved + "\""));
-    CHECK(writer->GetAttribute(reserved) == nullptr);
-  }
-  writer->SetAttribute(std::string(256, 'a'), "text");
-  CHECK(messages.OneError("1 to 255 characters"));
-}
-
-//------------------------------------------------------------------------------
 void TestSettings()
 {
   vtkNew<vtkOpenEXRLayerWriter> writer;
@@ -711,102 +461,6 @@ void TestSettings()
     CHECK(text.str().find(member) != std::string::npos);
   }
 }
-
-//------------------------------------------------------------------------------
-void TestWholeFiles()
-{
-  const std::string directory = Directory + "whole/";
-  std::filesystem::create_directory(directory);
-  for (bool tiled : { false, true })
-  {
-    const std::string name = directory + (tiled ? "tiles.exr" : "rows.exr");
-    vtkNew<vtkReliefScene> scene;
-    auto image = MakeShaded(520, 460, scene);
-    vtkNew<vtkOpenEXRLayerWriter> writer;
-    MessageKeeper messages(writer);
-    writer->SetTiled(tiled);
-    writer->SetCompressionToNone();
-    writer->SetInputData(image);
-    writer->SetFileName(name.c_str());
-    WriteText(name, "what was here before");
-    const int files = CountFiles(directory);
-    auto untouched = [&]
-    { return CountFiles(directory) == files && FileText(name) == "what was here before"; };
-
-    // Told to stop on the way.
-    struct Watch
-    {
-      vtkOpenEXRLayerWriter* Writer;
-      std::vector<double> Steps;
-      bool Abort;
-      int Files;
-      std::string Folder;
-    } watch{ writer, {}, true, 0, directory };
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetClientData(&watch);
-    observer->SetCallback(
-      [](vtkObject*, unsigned long, void* data, void* amount)
-      {
-        auto self = static_cast<Watch*>(data);
-        self->Steps.push_back(*static_cast<double*>(amount));
-        self->Files = std::max(self->Files, CountFiles(self->Folder));
-        if (self->Abort && self->Steps.back() > 0.0)
-        {
-          self->Writer->SetAbortExecute(1);
-        }
-      });
-    writer->AddObserver(vtkCommand::ProgressEvent, observer);
-    writer->Write();
-    CHECK(writer->GetErrorCode() == vtkErrorCode::UserError && messages.Silent());
-    CHECK(watch.Files == files + 1 && untouched());
-    watch.Abort = false;
-    writer->SetAbortExecute(0);
-
-#ifndef _WIN32
-    // No room on the disk, at once or for the last byte, which belongs to the table of offsets that
-    // OpenEXR writes last: a limit on the size of files has the same effect.
-    std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before;
-    getrlimit(RLIMIT_FSIZE, &before);
-    const std::string trial = directory + "trial.exr";
-    writer->SetFileName(trial.c_str());
-    writer->Write();
-    const auto size = std::filesystem::file_size(trial);
-    std::filesystem::remove(trial);
-    writer->SetFileName(name.c_str());
-    for (rlim_t room : { rlim_t(1000), rlim_t(size - 1) })
-    {
-      rlimit limit = before;
-      limit.rlim_cur = room;
-      setrlimit(RLIMIT_FSIZE, &limit);
-      writer->Write();
-      setrlimit(RLIMIT_FSIZE, &before);
-      CHECK(writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError);
-      CHECK(messages.OneError("Cannot write \"" + name + "\": writing failed: "));
-      CHECK(untouched());
-    }
-#endif
-
-    // And now the whole.
-    watch.Steps.clear();
-    writer->Write();
-    CHECK(writer->GetErrorCode() == vtkErrorCode::NoError && messages.Silent());
-    CHECK(CountFiles(directory) == files);
-    CHECK(std::is_sorted(watch.Steps.begin(), watch.Steps.end()) && watch.Steps.size() > 2);
-    CHECK(!watch.Steps.empty() && watch.Steps.back() == 1.0);
-    CompareWithArrays(Layers(name), image);
-    const std::string part = directory + "part.exr";
-    WriteText(part, FileText(name).substr(0, std::filesystem::file_size(name) / 2));
-    CHECK(IsDamaged(part));
-    std::filesystem::remove(part);
-  }
-  const std::string umlaut = directory + "H\xc3\xb6hen \xe5\xb1\xb1.exr";
-  vtkNew<vtkOpenEXRLayerWriter> unicode;
-  unicode->SetInputData(MakeImage(VTK_FLOAT, 1));
-  unicode->SetFileName(umlaut.c_str());
-  unicode->Write();
-  CHECK(Layers(umlaut)("Y", 3, 2) == 1.0f);
-}
 }
 
 int TestOpenEXRLayerWriter(int argc, char* argv[])
@@ -818,8 +472,6 @@ int TestOpenEXRLayerWriter(int argc, char* argv[])
   TestNoData();
   TestNames();
   TestMetadata();
-  TestRefusals();
   TestSettings();
-  TestWholeFiles();
   return Failures;
 }

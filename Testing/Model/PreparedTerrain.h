@@ -22,8 +22,8 @@ inline void RunSerial(int count, const std::function<void(int, int)>& body)
   body(0, count);
 }
 
-// A padded field of a terrain's heights.
-inline void Prepare(const Terrain& terrain, relief::HeightField& field)
+/// A field of a terrain's heights, padded for the lockstep integrator or not.
+inline void Prepare(const Terrain& terrain, relief::HeightField& field, bool padded = true)
 {
   relief::HeightSource<double> source;
   source.data = terrain.heights.data();
@@ -32,7 +32,7 @@ inline void Prepare(const Terrain& terrain, relief::HeightField& field)
   source.rows = terrain.rows;
   source.spacingX = terrain.spacingX;
   source.spacingY = terrain.spacingY;
-  ASSERT_EQ(field.Assign(source, RunSerial, true), "");
+  ASSERT_EQ(field.Assign(source, RunSerial, padded), "");
 }
 
 /// d of every sample in double, without bounds and without tolerance.

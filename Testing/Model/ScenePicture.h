@@ -5,19 +5,14 @@
 /// @file
 /// A terrain, scenes and all that shading them gives, for the tests of scenes.
 
+#include "PreparedTerrain.h"
+
 #include "SceneShading.h"
-#include "TestTerrain.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 #include <vector>
-
-inline void Serial(int count, const std::function<void(int, int)>& body)
-{
-  body(0, count);
-}
 
 // Hills with holes, larger than a tile each way and no multiple of one.
 inline Terrain Hills()
@@ -39,14 +34,7 @@ struct Prepared
 {
   explicit Prepared(const Terrain& terrain, bool padded = true)
   {
-    relief::HeightSource<double> source;
-    source.data = terrain.heights.data();
-    source.stepY = terrain.columns;
-    source.columns = terrain.columns;
-    source.rows = terrain.rows;
-    source.spacingX = terrain.spacingX;
-    source.spacingY = terrain.spacingY;
-    EXPECT_EQ(this->Field.Assign(source, Serial, padded), "");
+    Prepare(terrain, this->Field, padded);
   }
   relief::HeightField Field;
 };
