@@ -13,18 +13,17 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (windows and mappers)
 from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
-from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
-from vtkmodules.vtkFiltersTexture import vtkTextureMapToPlane
 from vtkmodules.vtkImagingCore import (vtkImageCast, vtkImageResample, vtkImageResize,
                                         vtkImageSincInterpolator)
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-                                         vtkTexture, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 IMAGES = pathlib.Path(__file__).resolve().parent
 EXAMPLES = IMAGES.parents[1] / "Examples"
 HEIGHTS = EXAMPLES / "Data" / "jacksboro.tif"
+
+sys.path.insert(0, str(EXAMPLES / "Python"))
+from draped_relief import draped_relief  # noqa: E402
 
 EXAGGERATION = 2.5
 OVERSAMPLING = 2
@@ -62,34 +61,9 @@ def terrain(width, height):
         sky.SetDiffuseColor(0.3, 0.52, 1.0)
         sky.SetIntensity(0.018)
 
-    grid = vtkImageDataGeometryFilter()
-    grid.SetInputConnection(heights.GetOutputPort())
-    warp = vtkWarpScalar()
-    warp.SetInputConnection(grid.GetOutputPort())
-    warp.SetScaleFactor(EXAGGERATION)
     heights.Update()
-    bounds = heights.GetOutput().GetBounds()
-    dx, dy, _ = heights.GetOutput().GetSpacing()
-    coordinates = vtkTextureMapToPlane()
-    coordinates.SetInputConnection(warp.GetOutputPort())
-    coordinates.SetOrigin(bounds[0] - dx / 2.0, bounds[2] - dy / 2.0, 0.0)
-    coordinates.SetPoint1(bounds[1] + dx / 2.0, bounds[2] - dy / 2.0, 0.0)
-    coordinates.SetPoint2(bounds[0] - dx / 2.0, bounds[3] + dy / 2.0, 0.0)
-    texture = vtkTexture()
-    texture.SetInputConnection(shading.GetOutputPort())
-    texture.SetColorModeToDirectScalars()
-    texture.InterpolateOn()
-    texture.MipmapOn()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(coordinates.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.SetTexture(texture)
-    actor.GetProperty().LightingOff()
-
     renderer = vtkRenderer()
-    renderer.AddActor(actor)
+    renderer.AddActor(draped_relief(heights, shading, EXAGGERATION))
     renderer.GradientBackgroundOn()
     renderer.SetBackground(1.0, 0.72, 0.45)
     renderer.SetBackground2(0.62, 0.7, 0.82)

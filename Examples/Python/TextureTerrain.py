@@ -13,13 +13,10 @@ import numpy as np
 from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
-from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
-from vtkmodules.vtkFiltersTexture import vtkTextureMapToPlane
 from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageResample
-from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkPolyDataMapper,
-                                         vtkRenderer, vtkRenderWindow, vtkTexture)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkRenderWindow
 
+from draped_relief import draped_relief
 from show_or_write import show_or_write
 
 EXAGGERATION = 2.0
@@ -112,40 +109,8 @@ scene.GetLights().GetItemAsObject(0).SetIntensity(2.0)
 scene.GetEnvironment().SetIntensity(0.7)
 scene.GetEnvironment().SetNumberOfSamples(32)
 
-grid = vtkImageDataGeometryFilter()
-grid.SetInputConnection(heights.GetOutputPort())
-warp = vtkWarpScalar()
-warp.SetInputConnection(grid.GetOutputPort())
-warp.SetScaleFactor(EXAGGERATION)
-
-# A texture runs from the outer edge of its first texel to that of its last one, half a sample
-# beyond the image's bounds. The plane is set so that each texel's centre falls on its sample.
-bounds = heights.GetOutput().GetBounds()
-dx, dy, _ = heights.GetOutput().GetSpacing()
-west, east = bounds[0] - dx / 2.0, bounds[1] + dx / 2.0
-south, north = bounds[2] - dy / 2.0, bounds[3] + dy / 2.0
-coordinates = vtkTextureMapToPlane()
-coordinates.SetInputConnection(warp.GetOutputPort())
-coordinates.SetOrigin(west, south, 0.0)
-coordinates.SetPoint1(east, south, 0.0)
-coordinates.SetPoint2(west, north, 0.0)
-
-texture = vtkTexture()
-texture.SetInputConnection(shading.GetOutputPort())
-texture.SetColorModeToDirectScalars()
-texture.InterpolateOn()
-texture.MipmapOn()
-
-mapper = vtkPolyDataMapper()
-mapper.SetInputConnection(coordinates.GetOutputPort())
-mapper.ScalarVisibilityOff()
-terrain = vtkActor()
-terrain.SetMapper(mapper)
-terrain.SetTexture(texture)
-terrain.GetProperty().LightingOff()  # the texture is lit already
-
 renderer = vtkRenderer()
-renderer.AddActor(terrain)
+renderer.AddActor(draped_relief(heights, shading, EXAGGERATION))
 renderer.GradientBackgroundOn()
 renderer.SetBackground(0.93, 0.89, 0.80)
 renderer.SetBackground2(0.52, 0.66, 0.82)
