@@ -83,6 +83,14 @@ std::string lowerExtension(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
+int usualScalarType(const std::string& file)
+{
+  const std::string extension = lowerExtension(file);
+  const bool linear = extension == ".exr" || extension == ".hdr" || extension == ".pfm";
+  return linear ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+}
+
+//------------------------------------------------------------------------------
 RasterWriter::RasterWriter(
   const std::string& file, int scalarType, int components, const GeoReference& reference)
   : File(file)

@@ -14,6 +14,10 @@ namespace reliefshade
 /// The extension of a file's name with its dot, in lower case.
 std::string lowerExtension(const std::string& file);
 
+/// What a picture is written as where the user does not say: VTK_FLOAT, linear, for OpenEXR,
+/// Radiance HDR and PFM, else VTK_UNSIGNED_CHAR, sRGB-encoded.
+int usualScalarType(const std::string& file);
+
 /// Writes one file. TIFF gets the georeference, where there is one and the program is built with
 /// GDAL; everything else is vtkOpenImageIOWriter's.
 class RasterWriter

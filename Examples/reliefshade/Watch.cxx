@@ -7,6 +7,7 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <string>
@@ -21,11 +22,12 @@
 namespace
 {
 
-volatile std::sig_atomic_t signalled = 0;
+std::atomic<bool> stopped{ false };
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal's handler sets it");
 
 extern "C" void noteSignal(int number)
 {
-  signalled = 1;
+  stopped = true;
   std::signal(number, SIG_DFL);
 }
 
@@ -37,7 +39,7 @@ public:
   void Execute(vtkObject* caller, unsigned long event, void*) override
   {
     auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-    if (signalled)
+    if (stopped)
     {
       algorithm->SetAbortExecute(1);
     }
@@ -82,9 +84,15 @@ void catchSignals()
 }
 
 //------------------------------------------------------------------------------
+void interrupt(bool on)
+{
+  stopped = on;
+}
+
+//------------------------------------------------------------------------------
 bool interrupted()
 {
-  return signalled != 0;
+  return stopped;
 }
 
 //------------------------------------------------------------------------------

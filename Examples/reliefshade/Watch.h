@@ -11,14 +11,17 @@ namespace reliefshade
 /// take their unfinished files away. A second signal ends the program at once.
 void catchSignals();
 
-/// Whether one of these signals has come.
+/// Ends a run as a signal does, from any thread; false lets the next one go on.
+void interrupt(bool on);
+
+/// Whether one of these signals has come, or interrupt() was called.
 bool interrupted();
 
 /// Throws the failure that ends an interrupted run.
 void stopIfInterrupted();
 
-/// Aborts the algorithm after a signal and, if `bar`, draws its progress on the standard error
-/// stream. It must outlive its last update.
+/// Aborts the algorithm once it is interrupted and, if `bar`, draws its progress on the standard
+/// error stream. It must outlive its last update.
 void watch(vtkAlgorithm* algorithm, bool bar);
 
 /// Whether a progress bar would be seen: the standard error stream is a terminal.

@@ -6,11 +6,13 @@
 #include "ColourTable.h"
 #include "Failure.h"
 #include "LayersWriter.h"
+#include "MapFrame.h"
 #include "MessageLog.h"
 #include "Options.h"
 #include "Picture.h"
 #include "RasterReader.h"
 #include "RasterWriter.h"
+#include "Threads.h"
 #include "Watch.h"
 
 #include "vtkCollectionRange.h"
@@ -29,7 +31,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -128,36 +129,13 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Takes positional lights from map coordinates to the image's frame, whose origin is its first
-/// sample.
-void placeLights(const Raster& raster, vtkReliefScene* scene)
-{
-  for (vtkLight* light : vtk::Range(scene->GetLights()))
-  {
-    if (light->GetPositional())
-    {
-      double position[3];
-      light->GetPosition(position);
-      for (int k = 0; k < 2; ++k)
-      {
-        position[k] = (position[k] - raster.MapOrigin[k]) / raster.MapStep[k] * raster.Spacing[k];
-      }
-      light->SetPosition(position);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 int outputType(const Options& options)
 {
   if (options.OutputType != VTK_VOID)
   {
     return options.OutputType;
   }
-  const std::string extension = lowerExtension(options.Output);
-  const bool linear =
-    options.Output.empty() || extension == ".exr" || extension == ".hdr" || extension == ".pfm";
-  return linear ? VTK_FLOAT : VTK_UNSIGNED_CHAR;
+  return options.Output.empty() ? VTK_FLOAT : usualScalarType(options.Output);
 }
 
 //------------------------------------------------------------------------------
@@ -208,19 +186,6 @@ void printStatistics(
             << "rays-traced: " << statistics->GetRaysTraced() << "\n"
             << "cells-visited: " << statistics->GetCellsVisited() << "\n"
             << "seconds: " << seconds << std::endl;
-}
-
-//------------------------------------------------------------------------------
-void setThreads(int count)
-{
-  // A VTK whose default is one thread has others built in all the same; the user's choice of one of
-  // them goes first.
-  if (std::string(vtkSMPTools::GetBackend()) == "Sequential" &&
-    !std::getenv("VTK_SMP_BACKEND_IN_USE"))
-  {
-    vtkSMPTools::SetBackend("STDThread");
-  }
-  vtkSMPTools::Initialize(count);
 }
 
 //------------------------------------------------------------------------------
@@ -304,20 +269,9 @@ void run(const Options& options)
               << ": warning: its coordinates look like degrees, but it names no coordinate "
                  "reference system; --degrees takes them as such\n";
   }
-  if (!raster.Reference.Present)
-  {
-    raster.MapStep = raster.Spacing;
-  }
-  raster.Heights->SetOrigin(0.0, 0.0, 0.0);
-  raster.Heights->SetSpacing(raster.Spacing[0], raster.Spacing[1], 1.0);
-  if (raster.Mask)
-  {
-    raster.Mask->SetOrigin(raster.Heights->GetOrigin());
-    raster.Mask->SetSpacing(raster.Heights->GetSpacing());
-  }
+  placeHeights(raster);
   const MapScene mapScene(options);
-  options.Scene->SetHeightScale(options.Scene->GetHeightScale() * raster.HeightUnit);
-  placeLights(raster, options.Scene);
+  MapFrame(raster).ToHeights(options.Scene);
 
   const int type = outputType(options);
   std::optional<RasterWriter> writer;
@@ -333,15 +287,7 @@ void run(const Options& options)
 
   setThreads(options.Threads);
   vtkNew<vtkImageReliefShading> shading;
-  shading->SetInputData(raster.Heights);
-  if (raster.Mask)
-  {
-    shading->SetMaskData(raster.Mask);
-  }
-  if (raster.NoData)
-  {
-    shading->SetNoDataValue(*raster.NoData);
-  }
+  setHeights(raster, shading);
   shading->SetScene(options.Scene);
   shading->SetCacheMemoryLimit(0); // there is one update only
   shading->SetOutputScalarType(type);

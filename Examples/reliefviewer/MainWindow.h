@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MainWindow_h
+#define MainWindow_h
+
+#include <QMainWindow>
+
+#include <functional>
+
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QStackedWidget;
+
+namespace reliefviewer
+{
+
+class Document;
+class Panel;
+class ReliefView;
+
+/// The viewer's window: picture, panel, menus, status.
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  MainWindow();
+  ~MainWindow() override;
+
+  /// Opens height fields and scenes alike. Returns false, and keeps what was there, after a message
+  /// to the user.
+  bool Open(const QString& file);
+  /// These return false after a message, or if the user cancels.
+  bool SavePicture(const QString& file);
+  bool SaveLayers(const QString& file);
+  bool SaveScene(const QString& file);
+
+  Document* Opened() const { return this->Shown; }
+  ReliefView* View() const { return this->Picture; }
+  Panel* SidePanel() const { return this->Side; }
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  QAction* AddAction(QMenu* menu, const QString& name, const QString& text,
+    const QKeySequence& shortcut, const std::function<void()>& action);
+  void AddFileMenu();
+  void AddEditMenu();
+  void AddViewMenu();
+  void AddLightMenu();
+  void AddHelpMenu();
+  void FillRecentFiles();
+  void AddRecentFile(const QString& file);
+
+  bool OpenHeights(const QString& file);
+  bool OpenScene(const QString& file);
+  bool LeaveScene();
+  bool Try(const std::function<bool()>& action);
+  void ChooseAndOpen();
+  void ChooseAndSave(const QString& what, const QString& filter, const QString& suffix,
+    const std::function<bool(const QString&)>& save);
+  bool SaveSceneAgain();
+  void ChooseEnvironment();
+  void Report(const QString& message);
+
+  void ShowTitle();
+  void ShowFrame();
+  void ShowSample(bool inside, double x, double y);
+  void ShowShortcuts();
+  void ReadSettings();
+  void WriteSettings();
+
+  Document* Shown;
+  ReliefView* Picture;
+  Panel* Side;
+  QDockWidget* Dock;
+  QStackedWidget* Middle;
+  QLabel* FrameText;
+  QLabel* SampleText;
+  QMenu* Recent = nullptr;
+  QList<QAction*> NeedField;
+  QString Folder;
+};
+
+}
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MaterialSections.h"
+
+#include "vtkReliefMaterial.h"
+#include "vtkReliefScene.h"
+
+#include <algorithm>
+
+namespace reliefviewer
+{
+
+namespace
+{
+
+constexpr double Unlimited = NumberRange::Unlimited;
+
+/// A cosine, of which falloffs begin and end at any.
+NumberRange cosineRange()
+{
+  return { -Unlimited, Unlimited, -1.0, 1.0 };
+}
+
+/// An exponent.
+NumberRange powerRange()
+{
+  return { 0.0, Unlimited, 0.0, 100.0, 3.0 };
+}
+
+}
+
+//------------------------------------------------------------------------------
+ReliefSection::ReliefSection(Document* document, QWidget* parent)
+  : Section(tr("Relief"), document, parent)
+{
+  vtkReliefScene* scene = document->Scene();
+  const auto material = [scene] { return scene->GetMaterial(); };
+  const auto unit = [document] { return document->OpenedField().Heights.HeightUnit; };
+  this->AddNumber(
+    { "heightScale", tr("Height scale"),
+      tr("What heights are multiplied by. Negative: inside out.") },
+    { -Unlimited, Unlimited, 0.0, 10.0, 3.0 }, [=] { return scene->GetHeightScale() / unit(); },
+    [=](double value) { scene->SetHeightScale(value * unit()); });
+  this->AddColour(
+    { "diffuseColor", tr("Diffuse"),
+      tr("Colour of the light that has passed through the material.") },
+    [=] { return material()->GetDiffuseColor(); },
+    [=](const double* colour) { material()->SetDiffuseColor(colour); });
+  this->AddColour(
+    { "baseColor", tr("Base"), tr("Colour without any light.") },
+    [=] { return material()->GetBaseColor(); },
+    [=](const double* colour) { material()->SetBaseColor(colour); });
+  this->AddCheck(
+    { "automaticSubsurfaceDepth", tr("Automatic depth"),
+      tr("Light is gathered one sample's width below the surface.") },
+    [=] { return material()->GetAutomaticSubsurfaceDepth(); },
+    [=](bool on)
+    {
+      // What was seen stays: only the drag of the slider changes it.
+      material()->SetSubsurfaceDepth(document->OpenedField().MeanSpacing());
+      material()->SetAutomaticSubsurfaceDepth(on);
+    });
+  this->AddNumber(
+    { "subsurfaceDepth", tr("Depth t"),
+      tr("How far below the surface light is gathered: stone at the left, wax at the "
+         "right.") },
+    [document] {
+      return NumberRange{ 0.0, Unlimited, 0.0, 100.0 * document->OpenedField().MeanSpacing(), 3.0 };
+    },
+    [=]
+    {
+      return material()->GetAutomaticSubsurfaceDepth() ? document->OpenedField().MeanSpacing()
+                                                       : material()->GetSubsurfaceDepth();
+    },
+    [=](double value) { material()->SetSubsurfaceDepth(value); });
+  this->AddChoice(
+    { "offsetMode", tr("Way down"),
+      tr("Straight down, or along the surface's normal, which shades slopes as the "
+         "cosine of the light's angle does.") },
+    { tr("Vertical"), tr("Surface normal") }, [=] { return material()->GetOffsetMode(); },
+    [=](int mode) { material()->SetOffsetMode(mode); });
+  this->AddChoice(
+    { "attenuation", tr("Attenuation"),
+      tr("How the thickness r of material dims light: t / r, or exponentially.") },
+    { tr("Reciprocal"), tr("Exponential") }, [=] { return material()->GetAttenuation(); },
+    [=](int attenuation) { material()->SetAttenuation(attenuation); });
+  this->ShowLastRowsOnlyIf([] { return true; });
+  this->AddNumber(
+    { "density", tr("Density"), tr("Of the exponential attenuation, per length.") },
+    [document] {
+      return NumberRange{ 0.0, Unlimited, 0.0, 2.0 / document->OpenedField().MeanSpacing(), 3.0 };
+    },
+    [=] { return material()->GetDensity(); }, [=](double value) { material()->SetDensity(value); });
+  this->ShowLastRowsOnlyIf(
+    [=] { return material()->GetAttenuation() == vtkReliefMaterial::Exponential; });
+}
+
+//------------------------------------------------------------------------------
+HighlightSection::HighlightSection(Document* document, QWidget* parent)
+  : Section(tr("Highlights"), document, parent)
+{
+  const auto material = [document] { return document->Scene()->GetMaterial(); };
+  this->AddShare(
+    { "specularCoefficient", tr("Share k\u209b"), tr("0: none. 1: nothing else.") },
+    [=] { return material()->GetSpecularCoefficient(); },
+    [=](double value) { material()->SetSpecularCoefficient(value); });
+  this->AddColour(
+    { "specularColor", tr("Colour"), tr("Colour of highlights.") },
+    [=] { return material()->GetSpecularColor(); },
+    [=](const double* colour) { material()->SetSpecularColor(colour); });
+  this->AddNumber(
+    { "specularFrom", tr("Begins at"),
+      tr("Cosine of the angle between light and mirrored view where it begins.") },
+    cosineRange(), [=] { return material()->GetSpecularRange()[0]; },
+    [=](double value)
+    { material()->SetSpecularRange(value, std::max(value, material()->GetSpecularRange()[1])); });
+  this->AddNumber(
+    { "specularTo", tr("Full at"), tr("The cosine where it is full.") }, cosineRange(),
+    [=] { return material()->GetSpecularRange()[1]; },
+    [=](double value)
+    { material()->SetSpecularRange(std::min(value, material()->GetSpecularRange()[0]), value); });
+  this->AddNumber(
+    { "specularPower", tr("Power"), tr("Above 1 it is narrower, below 1 wider.") }, powerRange(),
+    [=] { return material()->GetSpecularPower(); },
+    [=](double value) { material()->SetSpecularPower(value); });
+}
+
+//------------------------------------------------------------------------------
+ScatteringSection::ScatteringSection(Document* document, QWidget* parent)
+  : Section(tr("Light from behind"), document, parent)
+{
+  const auto material = [document] { return document->Scene()->GetMaterial(); };
+  this->AddCheck(
+    { "useFloor", tr("Floor"),
+      tr("The material ends below, so that light comes through from behind.") },
+    [=] { return material()->GetUseFloor(); },
+    [=](bool on)
+    {
+      const Field& field = document->OpenedField();
+      const double scale = document->Scene()->GetHeightScale();
+      if (on && material()->GetFloorHeight() == 0.0)
+      {
+        // A floor that is never above the relief, and thin enough to be seen through.
+        const double low = std::min(field.Lowest * scale, field.Highest * scale);
+        material()->SetFloorHeight(std::min(0.0, low));
+      }
+      material()->SetUseFloor(on);
+    });
+  this->ShowLastRowsOnlyIf([] { return true; });
+  this->AddNumber(
+    { "floorHeight", tr("Floor height"), tr("In the unit of the scaled heights.") },
+    [document]
+    {
+      const Field& field = document->OpenedField();
+      const double scale = document->Scene()->GetHeightScale();
+      const double low = std::min(field.Lowest * scale, field.Highest * scale);
+      const double high = std::max(field.Lowest * scale, field.Highest * scale);
+      const double range = high > low ? high - low : field.Size();
+      return NumberRange{ -Unlimited, Unlimited, low - range, high };
+    },
+    [=] { return material()->GetFloorHeight(); },
+    [=](double value) { material()->SetFloorHeight(value); });
+  this->ShowLastRowsOnlyIf([=] { return material()->GetUseFloor(); });
+  this->AddShare(
+    { "forwardScatterCoefficient", tr("Share k\u2092"),
+      tr("Share of the light that is scattered forward, and seen when the light is "
+         "behind.") },
+    [=] { return material()->GetForwardScatterCoefficient(); },
+    [=](double value) { material()->SetForwardScatterCoefficient(value); });
+  this->AddNumber(
+    { "scatterFrom", tr("Begins at"),
+      tr("Cosine of the angle between view and light's way where it begins.") },
+    cosineRange(), [=] { return material()->GetForwardScatterRange()[0]; },
+    [=](double value)
+    {
+      material()->SetForwardScatterRange(
+        value, std::max(value, material()->GetForwardScatterRange()[1]));
+    });
+  this->AddNumber(
+    { "scatterTo", tr("Full at"), tr("The cosine where it is full.") }, cosineRange(),
+    [=] { return material()->GetForwardScatterRange()[1]; },
+    [=](double value)
+    {
+      material()->SetForwardScatterRange(
+        std::min(value, material()->GetForwardScatterRange()[0]), value);
+    });
+  this->AddNumber(
+    { "scatterPower", tr("Power"), tr("Above 1 it is narrower, below 1 wider.") }, powerRange(),
+    [=] { return material()->GetForwardScatterPower(); },
+    [=](double value) { material()->SetForwardScatterPower(value); });
+}
+
+//------------------------------------------------------------------------------
+AccuracySection::AccuracySection(Document* document, QWidget* parent)
+  : Section(tr("Accuracy"), document, parent)
+{
+  vtkReliefScene* scene = document->Scene();
+  this->AddChoice(
+    { "integrator", tr("Integrator"),
+      tr("In closed form, or a fixed number of steps as the model was first "
+         "published.") },
+    { tr("Exact"), tr("Fixed steps") }, [=] { return scene->GetIntegrator(); },
+    [=](int integrator) { scene->SetIntegrator(integrator); });
+  this->ShowLastRowsOnlyIf([] { return true; });
+  this->AddNumber(
+    { "tolerance", tr("Tolerance"),
+      tr("How far the illumination, 0 to 1, may be off. More is quicker.") },
+    { 0.0, Unlimited, 0.0, 0.1, 3.0 }, [=] { return scene->GetTolerance(); },
+    [=](double value) { scene->SetTolerance(value); });
+  this->ShowLastRowsOnlyIf([=] { return scene->GetIntegrator() == vtkReliefScene::Exact; });
+  this->AddNumber(
+    { "numberOfSteps", tr("Steps"), tr("Along each ray.") }, { 1.0, 1000000.0, 1.0, 2048.0, 2.0 },
+    [=] { return scene->GetNumberOfSteps(); },
+    [=](double value) { scene->SetNumberOfSteps(static_cast<int>(value)); });
+  this->ShowLastRowsOnlyIf([=] { return scene->GetIntegrator() == vtkReliefScene::FixedStep; });
+}
+
+}

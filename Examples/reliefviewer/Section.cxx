@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Section.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace reliefviewer
+{
+
+namespace
+{
+
+/// The name of the step that a field's change makes.
+QString stepName(const FieldName& name)
+{
+  return Section::tr("Change %1").arg(name.Label.toLower());
+}
+
+}
+
+//------------------------------------------------------------------------------
+Section::Section(const QString& title, Document* document, QWidget* parent)
+  : QWidget(parent)
+  , Shown(document)
+  , Heading(new QToolButton(this))
+  , Fields(new QWidget(this))
+  , Rows(new QFormLayout(this->Fields))
+{
+  QFont bold = this->font();
+  bold.setBold(true);
+  this->Heading->setFont(bold);
+  this->Heading->setText(title);
+  this->Heading->setCheckable(true);
+  this->Heading->setAutoRaise(true);
+  this->Heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  this->Heading->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  this->Heading->setObjectName(QStringLiteral("heading"));
+  connect(this->Heading, &QToolButton::toggled, this,
+    [this](bool open)
+    {
+      this->Heading->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+      this->Fields->setVisible(open);
+    });
+  this->Heading->setArrowType(Qt::RightArrow);
+  this->Fields->hide();
+
+  this->Rows->setContentsMargins(10, 2, 6, 8);
+  this->Rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  this->Rows->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  this->Rows->setVerticalSpacing(5);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(this->Heading);
+  layout->addWidget(this->Fields);
+}
+
+//------------------------------------------------------------------------------
+bool Section::IsOpen() const
+{
+  return this->Heading->isChecked();
+}
+
+//------------------------------------------------------------------------------
+void Section::SetOpen(bool open)
+{
+  this->Heading->setChecked(open);
+}
+
+//------------------------------------------------------------------------------
+void Section::Refresh()
+{
+  for (const auto& refresher : this->Refreshers)
+  {
+    refresher();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Section::AddRow(const FieldName& name, QWidget* widget)
+{
+  auto* label = new QLabel(name.Label, this->Fields);
+  // One column for the labels of all sections.
+  label->setFixedWidth(this->fontMetrics().horizontalAdvance(QStringLiteral("Scattering depth")));
+  label->setToolTip(name.Tip);
+  label->setBuddy(widget);
+  widget->setObjectName(QLatin1String(name.Key));
+  widget->setToolTip(name.Tip);
+  widget->setAccessibleName(name.Label);
+  this->Rows->addRow(label, widget);
+}
+
+//------------------------------------------------------------------------------
+void Section::AddWide(QWidget* widget)
+{
+  this->Rows->addRow(widget);
+}
+
+//------------------------------------------------------------------------------
+void Section::ShowLastRowsOnlyIf(const Condition& condition)
+{
+  std::vector<QWidget*> widgets;
+  for (int row = this->FirstUnconditional; row < this->Rows->rowCount(); ++row)
+  {
+    for (const auto role :
+      { QFormLayout::LabelRole, QFormLayout::FieldRole, QFormLayout::SpanningRole })
+    {
+      if (QLayoutItem* item = this->Rows->itemAt(row, role))
+      {
+        widgets.push_back(item->widget());
+      }
+    }
+  }
+  this->FirstUnconditional = this->Rows->rowCount();
+  this->AddRefresher(
+    [widgets, condition]
+    {
+      const bool visible = condition();
+      for (QWidget* widget : widgets)
+      {
+        widget->setVisible(visible);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+NumberRow* Section::AddNumber(
+  const FieldName& name, std::function<NumberRange()> range, const Getter& get, const Setter& set)
+{
+  auto* row = new NumberRow(this->Fields);
+  this->AddRow(name, row);
+  connect(row, &NumberRow::pressed, this->Shown, &Document::StartStep);
+  connect(row, &NumberRow::edited, this->Shown,
+    [this, name, set](double value)
+    { this->Shown->Edit(stepName(name), [&set, value] { set(value); }); });
+  connect(
+    row, &NumberRow::released, this->Shown, [this, name] { this->Shown->EndStep(stepName(name)); });
+  this->AddRefresher(
+    [row, range, get]
+    {
+      row->SetRange(range());
+      row->Show(get());
+    });
+  return row;
+}
+
+//------------------------------------------------------------------------------
+NumberRow* Section::AddNumber(
+  const FieldName& name, const NumberRange& range, const Getter& get, const Setter& set)
+{
+  return this->AddNumber(
+    name, [range] { return range; }, get, set);
+}
+
+//------------------------------------------------------------------------------
+NumberRow* Section::AddShare(const FieldName& name, const Getter& get, const Setter& set)
+{
+  return this->AddNumber(name, NumberRange(), get, set);
+}
+
+//------------------------------------------------------------------------------
+void Section::AddColour(const FieldName& name, const ColourGetter& get, const ColourSetter& set)
+{
+  auto* button = new ColourButton(this->Fields);
+  this->AddRow(name, button);
+  connect(button, &ColourButton::pressedDialog, this->Shown, &Document::StartStep);
+  connect(button, &ColourButton::edited, this->Shown,
+    [this, name, set](const ColourButton::Colour& colour)
+    { this->Shown->Edit(stepName(name), [&set, &colour] { set(colour.data()); }); });
+  connect(button, &ColourButton::releasedDialog, this->Shown,
+    [this, name] { this->Shown->EndStep(stepName(name)); });
+  this->AddRefresher(
+    [button, get]
+    {
+      const double* colour = get();
+      button->Show({ colour[0], colour[1], colour[2] });
+    });
+}
+
+//------------------------------------------------------------------------------
+void Section::AddCheck(
+  const FieldName& name, const std::function<bool()>& get, const std::function<void(bool)>& set)
+{
+  auto* box = new QCheckBox(this->Fields);
+  this->AddRow(name, box);
+  connect(box, &QCheckBox::clicked, this->Shown,
+    [this, name, set](bool on) { this->Shown->Edit(stepName(name), [&set, on] { set(on); }); });
+  this->AddRefresher([box, get] { box->setChecked(get()); });
+}
+
+//------------------------------------------------------------------------------
+void Section::AddChoice(const FieldName& name, const QStringList& words,
+  const std::function<int()>& get, const std::function<void(int)>& set)
+{
+  auto* box = new QComboBox(this->Fields);
+  box->addItems(words);
+  this->AddRow(name, box);
+  connect(box, QOverload<int>::of(&QComboBox::activated), this->Shown,
+    [this, name, set](int choice)
+    { this->Shown->Edit(stepName(name), [&set, choice] { set(choice); }); });
+  this->AddRefresher([box, get] { box->setCurrentIndex(get()); });
+}
+
+}
