@@ -2,6 +2,7 @@
 #ifndef ReliefMapperTestUtilities_h
 #define ReliefMapperTestUtilities_h
 
+#include "ReliefOpenGLTestUtilities.h"
 #include "ReliefTestUtilities.h"
 
 #include "vtkCamera.h"
@@ -13,8 +14,6 @@
 #include "vtkReliefStatistics.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
-
-#include "vtk_glew.h"
 
 #include <algorithm>
 
@@ -41,6 +40,7 @@ struct MapperStage
     this->window->SetMultiSamples(0);
     this->window->SetSize(heights->GetDimensions()[0], heights->GetDimensions()[1]);
     this->window->AddRenderer(this->renderer);
+    WatchOpenGL(this->window);
     this->LookAtAll();
   }
 
@@ -64,15 +64,9 @@ struct MapperStage
   /// Renders; false if OpenGL had something to complain of.
   bool Render()
   {
+    const int before = OpenGLComplaints();
     this->window->Render();
-    this->window->MakeCurrent();
-    bool clean = true;
-    for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError())
-    {
-      std::cout << "OpenGL error " << error << std::endl;
-      clean = false;
-    }
-    return clean;
+    return OpenGLComplaints() == before;
   }
 
   /// The linear colours that were shaded.

@@ -22,6 +22,14 @@
 #include <utility>
 #include <vector>
 
+/// Whether memory is handed out by a sanitizer, which takes more, gives back later and does not
+/// tell.
+#if defined(RELIEFSHADING_SANITIZED)
+constexpr bool IsMemorySanitized = true;
+#else
+constexpr bool IsMemorySanitized = false;
+#endif
+
 /// Counts a failed check and says where; the test goes on.
 #define CHECK(condition)                                                                           \
   do                                                                                               \

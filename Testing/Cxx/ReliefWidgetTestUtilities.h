@@ -2,6 +2,7 @@
 #ifndef ReliefWidgetTestUtilities_h
 #define ReliefWidgetTestUtilities_h
 
+#include "ReliefOpenGLTestUtilities.h"
 #include "ReliefTestUtilities.h"
 
 #include "vtkCamera.h"
@@ -36,6 +37,7 @@ public:
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(2 * heights->GetDimensions()[0], 2 * heights->GetDimensions()[1]);
     this->Window->AddRenderer(this->Renderer);
+    WatchOpenGL(this->Window);
     this->Interactor->SetRenderWindow(this->Window);
     this->Interactor->SetInteractorStyle(this->Style);
     this->Interactor->Initialize();

@@ -319,9 +319,10 @@ double MegabytesFromStatus(const char* key)
 
 void TestMemory()
 {
-  if (MegabytesFromStatus("VmHWM:") < 0.0)
+  if (MegabytesFromStatus("VmHWM:") < 0.0 || IsMemorySanitized)
   {
-    std::cout << "Memory is not measured: this system has no /proc/self/status." << std::endl;
+    std::cout << "Memory is not measured: there is no /proc/self/status, or a sanitizer."
+              << std::endl;
     return;
   }
   const int size = 2048;

@@ -92,6 +92,7 @@ void TestWindows()
   other->SetMultiSamples(0);
   other->SetSize(120, 90);
   other->AddRenderer(renderer);
+  WatchOpenGL(other);
   for (int round = 0; round < 3; ++round)
   {
     other->Render();
