@@ -269,7 +269,8 @@ bool TemporaryFile::MoveTo(int64_t offset)
 //------------------------------------------------------------------------------
 size_t TemporaryFile::Put(const void* buffer, size_t size, int64_t offset)
 {
-  const size_t written = this->File ? std::fwrite(buffer, 1, size, this->File) : 0;
+  // Nothing at all may come as a null pointer, which the C library does not take.
+  const size_t written = this->File && size > 0 ? std::fwrite(buffer, 1, size, this->File) : 0;
   if (written != size && this->Error == 0)
   {
     this->Error = errno;
