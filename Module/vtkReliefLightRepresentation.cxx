@@ -90,6 +90,7 @@ public:
   // While something is dragged.
   vtkWeakPointer<vtkLight> DraggedLight;
   PlacedLight StartLight;
+  double StartPosition[3]; // the same, to the last bit
   double DragOffset[2];
 
   bool Highlighted = false;
@@ -403,6 +404,7 @@ void vtkReliefLightRepresentation::StartWidgetInteraction(double eventPosition[2
     return;
   }
   internal.DraggedLight = this->GetLight();
+  internal.DraggedLight->GetPosition(internal.StartPosition);
   for (int axis = 0; axis < 2; ++axis)
   {
     this->StartEventPosition[axis] = eventPosition[axis];
@@ -448,7 +450,7 @@ void vtkReliefLightRepresentation::CancelWidgetInteraction()
 {
   if (this->Internal->DraggedLight && this->Internal->DraggedLight == this->GetLight())
   {
-    this->Internal->SetLight(this->Internal->StartLight);
+    this->Internal->DraggedLight->SetPosition(this->Internal->StartPosition);
   }
 }
 

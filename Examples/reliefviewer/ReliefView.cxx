@@ -149,6 +149,7 @@ ReliefView::~ReliefView()
   this->Pending.stop();
   for (vtkReliefLightWidget* light : this->Lights)
   {
+    light->RemoveAllObservers(); // a drag that ends now changes nothing: the document may be gone
     light->SetInteractor(nullptr);
   }
   this->renderWindow()->RemoveAllObservers();
@@ -364,6 +365,7 @@ QPoint ReliefView::ToWidget(double x, double y) const
 //------------------------------------------------------------------------------
 void ReliefView::FrameBegins()
 {
+  this->Pending.stop(); // it shows all changes so far
   this->FrameBegan = vtkTimerLog::GetUniversalTime();
 }
 
