@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NumberBox.h"
 
-#include <QWheelEvent>
+#include "WheelGuard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ NumberBox::NumberBox(QWidget* parent)
 {
   this->setDecimals(15);
   this->setKeyboardTracking(false);
-  this->setFocusPolicy(Qt::StrongFocus);
+  new WheelGuard(this);
   QLocale plain = this->locale();
   plain.setNumberOptions(QLocale::OmitGroupSeparator);
   this->setLocale(plain);
@@ -77,20 +77,6 @@ void NumberBox::stepBy(int steps)
   const double value = std::round(this->value() / step + steps) * step;
   this->setValue(QString::number(value, 'g', 12).toDouble());
   this->selectAll();
-}
-
-//------------------------------------------------------------------------------
-void NumberBox::wheelEvent(QWheelEvent* event)
-{
-  // Otherwise who scrolls the panel changes what the mouse passes over.
-  if (this->hasFocus())
-  {
-    QDoubleSpinBox::wheelEvent(event);
-  }
-  else
-  {
-    event->ignore();
-  }
 }
 
 }

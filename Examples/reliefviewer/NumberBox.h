@@ -25,9 +25,6 @@ public:
   QValidator::State validate(QString& text, int& position) const override;
   void stepBy(int steps) override;
 
-protected:
-  void wheelEvent(QWheelEvent* event) override;
-
 private:
   double Parse(QString text, bool& ok) const;
 

@@ -2,13 +2,13 @@
 #include "NumberRow.h"
 
 #include "NumberBox.h"
+#include "WheelGuard.h"
 
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace
 {
 constexpr int Positions = 1000;
 
-/// Its handle comes to where it is clicked, and the wheel is for the panel unless it has the focus.
+/// Its handle comes to where it is clicked.
 class Slider : public QSlider
 {
 public:
@@ -30,7 +30,7 @@ public:
     this->setRange(0, Positions);
     this->setSingleStep(Positions / 100);
     this->setPageStep(Positions / 10);
-    this->setFocusPolicy(Qt::StrongFocus);
+    new WheelGuard(this);
   }
 
 protected:
@@ -66,17 +66,6 @@ protected:
     {
       this->Grabbed = false;
       this->setSliderDown(false);
-    }
-  }
-  void wheelEvent(QWheelEvent* event) override
-  {
-    if (this->hasFocus())
-    {
-      QSlider::wheelEvent(event);
-    }
-    else
-    {
-      event->ignore();
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Section.h"
 
+#include "WheelGuard.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -199,6 +201,7 @@ void Section::AddChoice(const FieldName& name, const QStringList& words,
 {
   auto* box = new QComboBox(this->Fields);
   box->addItems(words);
+  new WheelGuard(box);
   this->AddRow(name, box);
   connect(box, QOverload<int>::of(&QComboBox::activated), this->Shown,
     [this, name, set](int choice)
