@@ -224,6 +224,21 @@ void Document::Edit(const QString& what, const std::function<void()>& change)
 }
 
 //------------------------------------------------------------------------------
+void Document::FitHeights()
+{
+  const double exact = this->OpenField.FittingScale();
+  if (exact == 0.0)
+  {
+    emit this->refused(tr("The relief is flat: no scale makes its heights span anything"));
+    return;
+  }
+  // Two digits are enough, and read well.
+  const double scale =
+    QString::number(exact, 'g', 2).toDouble() * this->OpenField.Heights.HeightUnit;
+  this->Edit(tr("Fit heights"), [this, scale] { this->EditedScene->SetHeightScale(scale); });
+}
+
+//------------------------------------------------------------------------------
 void Document::StartStep()
 {
   if (!this->StepUnderWay)

@@ -51,6 +51,9 @@ public:
 
   /// Changes the scene by one step for undo, or as part of the step that is under way.
   void Edit(const QString& what, const std::function<void()>& change);
+  /// Scales the heights so that they span a tenth of the field's longer side. For files whose
+  /// heights are in another unit than their spacing.
+  void FitHeights();
   /// A step of many changes, such as the drag of a slider. Change tells of changes that were made
   /// from elsewhere.
   void StartStep();

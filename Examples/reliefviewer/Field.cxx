@@ -78,6 +78,13 @@ double Field::Size() const
 }
 
 //------------------------------------------------------------------------------
+double Field::FittingScale() const
+{
+  const double range = this->Highest - this->Lowest;
+  return range > 0.0 ? 0.1 * this->Size() / (range * this->Heights.HeightUnit) : 0.0;
+}
+
+//------------------------------------------------------------------------------
 Field readField(const std::string& file)
 {
   return makeField(reliefshade::readRaster(file, reliefshade::ReadOptions()));

@@ -28,6 +28,8 @@ struct Field
   double MeanSpacing() const { return 0.5 * (Heights.Spacing[0] + Heights.Spacing[1]); }
   /// From the first sample to the last along an axis.
   double Length(int axis) const { return (Samples[axis] - 1) * Heights.Spacing[axis]; }
+  /// The height scale with which the heights span a tenth of the longer side; 0 for a flat relief.
+  double FittingScale() const;
   /// The longer side, or a spacing for a single sample.
   double Size() const;
 };

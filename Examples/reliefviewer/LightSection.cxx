@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
 
 namespace reliefviewer
@@ -46,7 +47,6 @@ LightSection::LightSection(Document* document, QWidget* parent)
 void LightSection::AddList()
 {
   this->List->setObjectName(QStringLiteral("lights"));
-  this->List->setFixedHeight(5 * this->fontMetrics().height());
   this->AddWide(this->List);
   auto* buttons = new QWidget(this->Body());
   auto* row = new QHBoxLayout(buttons);
@@ -120,6 +120,9 @@ void LightSection::RefreshList()
     item->setFlags(Qt::NoItemFlags);
     this->List->addItem(item);
   }
+  // All of a few lights are seen; many are scrolled.
+  const int lines = std::max(2, std::min(count, 6));
+  this->List->setFixedHeight(lines * this->List->sizeHintForRow(0) + 2 * this->List->frameWidth());
 }
 
 //------------------------------------------------------------------------------

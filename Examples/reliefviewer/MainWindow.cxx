@@ -345,7 +345,7 @@ void MainWindow::ShowFrame()
   const FrameReport& frame = this->Picture->LastFrame();
   const QString state =
     frame.Converged ? tr("complete") : tr("%1 %").arg(static_cast<int>(100.0 * frame.Refinement));
-  this->FrameText->setText(tr("%1 ms   lights traced: %2   %3")
+  this->FrameText->setText(tr("%1 ms \u00b7 lights traced: %2 \u00b7 %3")
                              .arg(1000.0 * frame.Seconds, 0, 'f', frame.Seconds < 0.01 ? 1 : 0)
                              .arg(frame.LightsTraced)
                              .arg(state));
@@ -380,7 +380,8 @@ void MainWindow::ShowSample(bool inside, double x, double y)
 void MainWindow::ReadSettings()
 {
   const QSettings settings;
-  this->resize(1180, 800);
+  this->resize(1240, 820);
+  this->resizeDocks({ this->Dock }, { 370 }, Qt::Horizontal);
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("windowState").toByteArray());
   this->Folder = settings.value("folder").toString();

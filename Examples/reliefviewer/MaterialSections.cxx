@@ -38,7 +38,12 @@ ReliefSection::ReliefSection(Document* document, QWidget* parent)
   this->AddNumber(
     { "heightScale", tr("Height scale"),
       tr("What heights are multiplied by. Negative: inside out.") },
-    { -Unlimited, Unlimited, 0.0, 10.0, 3.0 }, [=] { return scene->GetHeightScale() / unit(); },
+    [document]
+    {
+      const double fitting = document->OpenedField().FittingScale();
+      return NumberRange{ -Unlimited, Unlimited, 0.0, fitting > 0.0 ? 5.0 * fitting : 10.0, 3.0 };
+    },
+    [=] { return scene->GetHeightScale() / unit(); },
     [=](double value) { scene->SetHeightScale(value * unit()); });
   this->AddColour(
     { "diffuseColor", tr("Diffuse"),
@@ -73,7 +78,7 @@ ReliefSection::ReliefSection(Document* document, QWidget* parent)
     },
     [=](double value) { material()->SetSubsurfaceDepth(value); });
   this->AddChoice(
-    { "offsetMode", tr("Way down"),
+    { "offsetMode", tr("Offset"),
       tr("Straight down, or along the surface's normal, which shades slopes as the "
          "cosine of the light's angle does.") },
     { tr("Vertical"), tr("Surface normal") }, [=] { return material()->GetOffsetMode(); },
@@ -100,7 +105,7 @@ HighlightSection::HighlightSection(Document* document, QWidget* parent)
 {
   const auto material = [document] { return document->Scene()->GetMaterial(); };
   this->AddShare(
-    { "specularCoefficient", tr("Share k\u209b"), tr("0: none. 1: nothing else.") },
+    { "specularCoefficient", tr("Share k_s"), tr("0: none. 1: nothing else.") },
     [=] { return material()->GetSpecularCoefficient(); },
     [=](double value) { material()->SetSpecularCoefficient(value); });
   this->AddColour(
@@ -161,7 +166,7 @@ ScatteringSection::ScatteringSection(Document* document, QWidget* parent)
     [=](double value) { material()->SetFloorHeight(value); });
   this->ShowLastRowsOnlyIf([=] { return material()->GetUseFloor(); });
   this->AddShare(
-    { "forwardScatterCoefficient", tr("Share k\u2092"),
+    { "forwardScatterCoefficient", tr("Share k_f"),
       tr("Share of the light that is scattered forward, and seen when the light is "
          "behind.") },
     [=] { return material()->GetForwardScatterCoefficient(); },

@@ -129,6 +129,9 @@ void MainWindow::AddEditMenu()
     { QKeySequence(Qt::CTRL + Qt::SHIFT + Qt::Key_Z), QKeySequence(Qt::CTRL + Qt::Key_Y) });
   redo->setObjectName(QStringLiteral("redo"));
   menu->addAction(redo);
+  menu->addSeparator();
+  this->NeedField += this->AddAction(menu, "fitHeights", tr("&Fit heights"),
+    QKeySequence(Qt::Key_H), [this] { this->Shown->FitHeights(); });
 }
 
 //------------------------------------------------------------------------------

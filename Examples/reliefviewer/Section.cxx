@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace reliefviewer
 {
 
@@ -31,14 +33,13 @@ Section::Section(const QString& title, Document* document, QWidget* parent)
   , Shown(document)
   , Heading(new QToolButton(this))
   , Fields(new QWidget(this))
-  , Rows(new QFormLayout(this->Fields))
 {
-  QFont bold = this->font();
-  bold.setBold(true);
-  this->Heading->setFont(bold);
   this->Heading->setText(title);
   this->Heading->setCheckable(true);
-  this->Heading->setAutoRaise(true);
+  this->Heading->setStyleSheet(QStringLiteral(
+    "QToolButton { border: none; border-radius: 3px; padding: 4px; font-weight: bold;"
+    " background: palette(midlight); }"
+    "QToolButton:hover, QToolButton:focus { background: palette(mid); }"));
   this->Heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   this->Heading->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   this->Heading->setObjectName(QStringLiteral("heading"));
@@ -51,10 +52,9 @@ Section::Section(const QString& title, Document* document, QWidget* parent)
   this->Heading->setArrowType(Qt::RightArrow);
   this->Fields->hide();
 
-  this->Rows->setContentsMargins(10, 2, 6, 8);
-  this->Rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  this->Rows->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  this->Rows->setVerticalSpacing(5);
+  auto* groups = new QVBoxLayout(this->Fields);
+  groups->setContentsMargins(10, 5, 6, 8);
+  groups->setSpacing(5);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -84,6 +84,23 @@ void Section::Refresh()
 }
 
 //------------------------------------------------------------------------------
+// Each group of rows is a widget: rows that are hidden one by one would leave gaps.
+QFormLayout* Section::Rows()
+{
+  if (!this->Group)
+  {
+    this->Group = new QWidget(this->Fields);
+    auto* rows = new QFormLayout(this->Group);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    rows->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    rows->setVerticalSpacing(5);
+    this->Fields->layout()->addWidget(this->Group);
+  }
+  return static_cast<QFormLayout*>(this->Group->layout());
+}
+
+//------------------------------------------------------------------------------
 void Section::AddRow(const FieldName& name, QWidget* widget)
 {
   auto* label = new QLabel(name.Label, this->Fields);
@@ -94,40 +111,20 @@ void Section::AddRow(const FieldName& name, QWidget* widget)
   widget->setObjectName(QLatin1String(name.Key));
   widget->setToolTip(name.Tip);
   widget->setAccessibleName(name.Label);
-  this->Rows->addRow(label, widget);
+  this->Rows()->addRow(label, widget);
 }
 
 //------------------------------------------------------------------------------
 void Section::AddWide(QWidget* widget)
 {
-  this->Rows->addRow(widget);
+  this->Rows()->addRow(widget);
 }
 
 //------------------------------------------------------------------------------
 void Section::ShowLastRowsOnlyIf(const Condition& condition)
 {
-  std::vector<QWidget*> widgets;
-  for (int row = this->FirstUnconditional; row < this->Rows->rowCount(); ++row)
-  {
-    for (const auto role :
-      { QFormLayout::LabelRole, QFormLayout::FieldRole, QFormLayout::SpanningRole })
-    {
-      if (QLayoutItem* item = this->Rows->itemAt(row, role))
-      {
-        widgets.push_back(item->widget());
-      }
-    }
-  }
-  this->FirstUnconditional = this->Rows->rowCount();
-  this->AddRefresher(
-    [widgets, condition]
-    {
-      const bool visible = condition();
-      for (QWidget* widget : widgets)
-      {
-        widget->setVisible(visible);
-      }
-    });
+  QWidget* group = std::exchange(this->Group, nullptr);
+  this->AddRefresher([group, condition] { group->setVisible(condition()); });
 }
 
 //------------------------------------------------------------------------------

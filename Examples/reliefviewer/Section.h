@@ -75,14 +75,14 @@ protected:
   }
 
 private:
+  QFormLayout* Rows();
   void AddRow(const FieldName& name, QWidget* widget);
 
   Document* Shown;
   QToolButton* Heading;
   QWidget* Fields;
-  QFormLayout* Rows;
+  QWidget* Group = nullptr; // where rows are added; null before the first one
   std::vector<std::function<void()>> Refreshers;
-  int FirstUnconditional = 0;
 };
 
 }

@@ -72,6 +72,7 @@ private slots:
   void choices();
   void checks();
   void automaticDepth();
+  void fitHeights();
   void rangesPushEachOther();
   void environmentFromPicture();
   void numbersBeyondTheSlider();
@@ -406,6 +407,22 @@ void TestViewerPanel::automaticDepth()
   QImage after;
   COMPLETE_PICTURE(after, window);
   QCOMPARE(after, before);
+}
+
+//------------------------------------------------------------------------------
+void TestViewerPanel::fitHeights()
+{
+  this->Write("flat.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n5 5 5\n5 5 5\n");
+  this->Write("tiny.asc",
+    "ncols 11\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+    "0 1 2 3 4 5 6 7 8 9 10000\n0 0 0 0 0 0 0 0 0 0 0\n");
+  const Window window = this->NewWindow(this->Path("flat.asc"));
+  Trigger(window.get(), "fitHeights");
+  QCOMPARE(window->Opened()->Steps()->count(), 0);
+  QVERIFY(window->Open(this->Path("tiny.asc")));
+  Trigger(window.get(), "fitHeights");
+  QCOMPARE(window->Opened()->Scene()->GetHeightScale(), 1e-4);
+  QCOMPARE(window->Opened()->Steps()->count(), 1);
 }
 
 //------------------------------------------------------------------------------
