@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Field.h"
 
-#include "RasterReader.h"
-
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -85,9 +83,9 @@ double Field::FittingScale() const
 }
 
 //------------------------------------------------------------------------------
-Field readField(const std::string& file)
+Field readField(const std::string& file, const reliefshade::ReadOptions& options)
 {
-  return makeField(reliefshade::readRaster(file, reliefshade::ReadOptions()));
+  return makeField(reliefshade::readRaster(file, options));
 }
 
 //------------------------------------------------------------------------------

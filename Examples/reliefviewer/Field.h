@@ -3,7 +3,7 @@
 #define Field_h
 
 #include "MapFrame.h"
-#include "Raster.h"
+#include "RasterReader.h"
 
 #include <string>
 
@@ -35,7 +35,7 @@ struct Field
 };
 
 /// Reads a file as reliefshade does. Throws a Failure that names it.
-Field readField(const std::string& file);
+Field readField(const std::string& file, const reliefshade::ReadOptions& options);
 
 /// The same of heights that are there already.
 Field makeField(reliefshade::Raster heights);

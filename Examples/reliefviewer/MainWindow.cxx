@@ -7,7 +7,7 @@
 #include "LightSection.h"
 #include "MessageLog.h"
 #include "Panel.h"
-#include "RasterWriter.h"
+#include "RasterReader.h"
 #include "ReliefView.h"
 #include "Saving.h"
 
@@ -17,6 +17,7 @@
 #include "vtkReliefScene.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -132,6 +133,15 @@ void MainWindow::Report(const QString& message)
 }
 
 //------------------------------------------------------------------------------
+void MainWindow::ReportWarnings()
+{
+  for (const std::string& warning : reliefshade::takeWarnings())
+  {
+    this->Report(QString::fromStdString(warning));
+  }
+}
+
+//------------------------------------------------------------------------------
 bool MainWindow::Open(const QString& file)
 {
   return isScene(file) ? this->OpenScene(file) : this->OpenHeights(file);
@@ -144,10 +154,26 @@ bool MainWindow::OpenHeights(const QString& file)
     [&]
     {
       Field field;
-      if (!runLongTask(this, tr("Reading %1").arg(QFileInfo(file).fileName()),
-            [&](const Progress&) { field = readField(encoded(file)); }))
+      reliefshade::ReadOptions options;
+      const auto read = [&]
+      {
+        return runLongTask(this, tr("Reading %1").arg(QFileInfo(file).fileName()),
+          [&](const Progress&) { field = readField(encoded(file), options); });
+      };
+      if (!read())
       {
         return false;
+      }
+      if (reliefshade::looksLikeDegrees(field.Heights))
+      {
+        options.Degrees = QMessageBox::question(this, tr("reliefviewer"),
+                            tr("%1 names no coordinate reference system, but its coordinates look "
+                               "like degrees. Are they longitude and latitude?")
+                              .arg(QFileInfo(file).fileName())) == QMessageBox::Yes;
+        if (options.Degrees && !read())
+        {
+          return false;
+        }
       }
       this->Middle->setCurrentWidget(this->Picture);
       this->Shown->SetField(file, std::move(field));
@@ -172,10 +198,7 @@ bool MainWindow::OpenScene(const QString& file)
     [&]
     {
       this->Shown->ReadScene(file);
-      for (const std::string& warning : reliefshade::takeWarnings())
-      {
-        this->Report(QString::fromStdString(warning));
-      }
+      this->ReportWarnings();
       this->Folder = QFileInfo(file).absolutePath();
       this->AddRecentFile(file);
       return true;
@@ -185,6 +208,18 @@ bool MainWindow::OpenScene(const QString& file)
 //------------------------------------------------------------------------------
 bool MainWindow::SavePicture(const QString& file)
 {
+  return this->Save(file, &savePicture);
+}
+
+//------------------------------------------------------------------------------
+bool MainWindow::SaveLayers(const QString& file)
+{
+  return this->Save(file, &saveLayers);
+}
+
+//------------------------------------------------------------------------------
+bool MainWindow::Save(const QString& file, SaveField* save)
+{
   return this->Try(
     [&]
     {
@@ -192,21 +227,7 @@ bool MainWindow::SavePicture(const QString& file)
       this->Shown->FromText(this->Shown->Text(), scene);
       return runLongTask(this, tr("Shading %1").arg(QFileInfo(file).fileName()),
         [&](const Progress& progress)
-        { savePicture(encoded(file), this->Shown->OpenedField(), scene, progress); });
-    });
-}
-
-//------------------------------------------------------------------------------
-bool MainWindow::SaveLayers(const QString& file)
-{
-  return this->Try(
-    [&]
-    {
-      vtkNew<vtkReliefScene> scene;
-      this->Shown->FromText(this->Shown->Text(), scene);
-      return runLongTask(this, tr("Shading %1").arg(QFileInfo(file).fileName()),
-        [&](const Progress& progress)
-        { saveLayers(encoded(file), this->Shown->OpenedField(), scene, progress); });
+        { save(encoded(file), this->Shown->OpenedField(), scene, progress); });
     });
 }
 
@@ -353,6 +374,7 @@ void MainWindow::ShowFrame()
   {
     this->Report(QString::fromStdString(reliefshade::takeError()));
   }
+  this->ReportWarnings();
 }
 
 //------------------------------------------------------------------------------
@@ -416,7 +438,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 //------------------------------------------------------------------------------
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-  if (event->mimeData()->hasUrls())
+  if (event->mimeData()->hasUrls() && !QApplication::activeModalWidget())
   {
     event->acceptProposedAction();
   }

@@ -2,6 +2,8 @@
 #ifndef MainWindow_h
 #define MainWindow_h
 
+#include "Saving.h"
+
 #include <QMainWindow>
 
 #include <functional>
@@ -58,6 +60,7 @@ private:
   bool OpenHeights(const QString& file);
   bool OpenScene(const QString& file);
   bool LeaveScene();
+  bool Save(const QString& file, SaveField* save);
   bool Try(const std::function<bool()>& action);
   void ChooseAndOpen();
   void ChooseAndSave(const QString& what, const QString& filter, const QString& suffix,
@@ -65,6 +68,7 @@ private:
   bool SaveSceneAgain();
   void ChooseEnvironment();
   void Report(const QString& message);
+  void ReportWarnings();
 
   void ShowTitle();
   void ShowFrame();

@@ -100,8 +100,24 @@ ReliefSection::ReliefSection(Document* document, QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
+void FalloffSection::AddFalloff(const QString& key, const QString& angle, const Falloff& falloff)
+{
+  // Neither end can pass the other: it takes it along.
+  this->AddNumber(
+    { key + "From", tr("Begins at"), tr("Cosine of %1 where it begins.").arg(angle) },
+    cosineRange(), [=] { return falloff.Range()[0]; },
+    [=](double from) { falloff.SetRange(from, std::max(from, falloff.Range()[1])); });
+  this->AddNumber(
+    { key + "To", tr("Full at"), tr("Cosine of %1 where it is full.").arg(angle) }, cosineRange(),
+    [=] { return falloff.Range()[1]; },
+    [=](double to) { falloff.SetRange(std::min(to, falloff.Range()[0]), to); });
+  this->AddNumber({ key + "Power", tr("Power"), tr("Above 1 it is narrower, below 1 wider.") },
+    powerRange(), falloff.Power, falloff.SetPower);
+}
+
+//------------------------------------------------------------------------------
 HighlightSection::HighlightSection(Document* document, QWidget* parent)
-  : Section(tr("Highlights"), document, parent)
+  : FalloffSection(tr("Highlights"), document, parent)
 {
   const auto material = [document] { return document->Scene()->GetMaterial(); };
   this->AddShare(
@@ -112,26 +128,16 @@ HighlightSection::HighlightSection(Document* document, QWidget* parent)
     { "specularColor", tr("Colour"), tr("Colour of highlights.") },
     [=] { return material()->GetSpecularColor(); },
     [=](const double* colour) { material()->SetSpecularColor(colour); });
-  this->AddNumber(
-    { "specularFrom", tr("Begins at"),
-      tr("Cosine of the angle between light and mirrored view where it begins.") },
-    cosineRange(), [=] { return material()->GetSpecularRange()[0]; },
-    [=](double value)
-    { material()->SetSpecularRange(value, std::max(value, material()->GetSpecularRange()[1])); });
-  this->AddNumber(
-    { "specularTo", tr("Full at"), tr("The cosine where it is full.") }, cosineRange(),
-    [=] { return material()->GetSpecularRange()[1]; },
-    [=](double value)
-    { material()->SetSpecularRange(std::min(value, material()->GetSpecularRange()[0]), value); });
-  this->AddNumber(
-    { "specularPower", tr("Power"), tr("Above 1 it is narrower, below 1 wider.") }, powerRange(),
-    [=] { return material()->GetSpecularPower(); },
-    [=](double value) { material()->SetSpecularPower(value); });
+  this->AddFalloff("specular", tr("the angle between light and mirrored view"),
+    { [=] { return material()->GetSpecularRange(); },
+      [=](double from, double to) { material()->SetSpecularRange(from, to); },
+      [=] { return material()->GetSpecularPower(); },
+      [=](double value) { material()->SetSpecularPower(value); } });
 }
 
 //------------------------------------------------------------------------------
 ScatteringSection::ScatteringSection(Document* document, QWidget* parent)
-  : Section(tr("Light from behind"), document, parent)
+  : FalloffSection(tr("Light from behind"), document, parent)
 {
   const auto material = [document] { return document->Scene()->GetMaterial(); };
   this->AddCheck(
@@ -171,27 +177,11 @@ ScatteringSection::ScatteringSection(Document* document, QWidget* parent)
          "behind.") },
     [=] { return material()->GetForwardScatterCoefficient(); },
     [=](double value) { material()->SetForwardScatterCoefficient(value); });
-  this->AddNumber(
-    { "scatterFrom", tr("Begins at"),
-      tr("Cosine of the angle between view and light's way where it begins.") },
-    cosineRange(), [=] { return material()->GetForwardScatterRange()[0]; },
-    [=](double value)
-    {
-      material()->SetForwardScatterRange(
-        value, std::max(value, material()->GetForwardScatterRange()[1]));
-    });
-  this->AddNumber(
-    { "scatterTo", tr("Full at"), tr("The cosine where it is full.") }, cosineRange(),
-    [=] { return material()->GetForwardScatterRange()[1]; },
-    [=](double value)
-    {
-      material()->SetForwardScatterRange(
-        std::min(value, material()->GetForwardScatterRange()[0]), value);
-    });
-  this->AddNumber(
-    { "scatterPower", tr("Power"), tr("Above 1 it is narrower, below 1 wider.") }, powerRange(),
-    [=] { return material()->GetForwardScatterPower(); },
-    [=](double value) { material()->SetForwardScatterPower(value); });
+  this->AddFalloff("scatter", tr("the angle between view and light's way"),
+    { [=] { return material()->GetForwardScatterRange(); },
+      [=](double from, double to) { material()->SetForwardScatterRange(from, to); },
+      [=] { return material()->GetForwardScatterPower(); },
+      [=](double value) { material()->SetForwardScatterPower(value); } });
 }
 
 //------------------------------------------------------------------------------

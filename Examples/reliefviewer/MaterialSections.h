@@ -16,8 +16,31 @@ public:
   ReliefSection(Document* document, QWidget* parent);
 };
 
+/// What has a falloff: where it begins, where it is full, and how it gets there.
+class FalloffSection : public Section
+{
+  Q_OBJECT
+
+protected:
+  FalloffSection(const QString& title, Document* document, QWidget* parent)
+    : Section(title, document, parent)
+  {
+  }
+
+  struct Falloff
+  {
+    std::function<const double*()> Range;
+    std::function<void(double, double)> SetRange;
+    Getter Power;
+    Setter SetPower;
+  };
+
+  /// The names of the fields begin with `key`; `angle` says what the cosine is of.
+  void AddFalloff(const QString& key, const QString& angle, const Falloff& falloff);
+};
+
 /// Highlights: k_s and their falloff.
-class HighlightSection : public Section
+class HighlightSection : public FalloffSection
 {
   Q_OBJECT
 
@@ -26,7 +49,7 @@ public:
 };
 
 /// Light from behind: k_f, its falloff and the floor.
-class ScatteringSection : public Section
+class ScatteringSection : public FalloffSection
 {
   Q_OBJECT
 

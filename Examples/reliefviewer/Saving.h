@@ -15,14 +15,15 @@ namespace reliefviewer
 
 struct Field;
 
-/// Shades the whole field as reliefshade does and writes the picture. Throws a Failure that names
-/// the file.
-void savePicture(
+using SaveField = void(
   const std::string& file, const Field& field, vtkReliefScene* scene, const Progress& progress);
 
+/// Shades the whole field as reliefshade does and writes the picture. Throws a Failure that names
+/// the file.
+SaveField savePicture;
+
 /// The same for one OpenEXR file of linear colour and all layers.
-void saveLayers(
-  const std::string& file, const Field& field, vtkReliefScene* scene, const Progress& progress);
+SaveField saveLayers;
 
 }
 

@@ -108,7 +108,7 @@ void Section::AddRow(const FieldName& name, QWidget* widget)
   label->setFixedWidth(this->fontMetrics().horizontalAdvance(QStringLiteral("Scattering depth")));
   label->setToolTip(name.Tip);
   label->setBuddy(widget);
-  widget->setObjectName(QLatin1String(name.Key));
+  widget->setObjectName(name.Key);
   widget->setToolTip(name.Tip);
   widget->setAccessibleName(name.Label);
   this->Rows()->addRow(label, widget);

@@ -23,7 +23,7 @@ namespace reliefviewer
 struct FieldName
 {
   /// The name of its widget.
-  const char* Key;
+  QString Key;
   QString Label;
   QString Tip;
 };

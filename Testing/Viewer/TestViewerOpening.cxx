@@ -31,6 +31,8 @@ private slots:
   void badScenesKeepWhatWasOpen();
   void samplesWithoutDataAreSeenThrough();
   void lampsKeepTheirPlaceOnTheMap();
+  void degreesAreAskedFor();
+  void unknownKeysAreNamed();
   void recentFiles();
   void remembersItsWindow();
 
@@ -242,6 +244,34 @@ void TestViewerOpening::lampsKeepTheirPlaceOnTheMap()
   QCOMPARE(window->Opened()->SelectedLight()->GetPosition()[0], 30.5);
   QVERIFY(window->Opened()->Text() == text);
   QVERIFY(!window->isWindowModified());
+}
+
+//------------------------------------------------------------------------------
+void TestViewerOpening::degreesAreAskedFor()
+{
+  this->Write(
+    "degrees.asc", "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 46\ncellsize 0.001\n5 6 7\n8 9 10\n");
+  const Window window = this->NewWindow();
+  QString message;
+  Answer(QMessageBox::Yes, &message);
+  QVERIFY(window->Open(this->Path("degrees.asc")));
+  QVERIFY2(message.contains("degrees"), qPrintable(message));
+  const auto& spacing = window->Opened()->OpenedField().Heights.Spacing;
+  QVERIFY(std::abs(spacing[0] - 77.5) < 0.5 && std::abs(spacing[1] - 111.1) < 0.5);
+  Answer(QMessageBox::No);
+  QVERIFY(window->Open(this->Path("degrees.asc")));
+  QCOMPARE(spacing[0], 0.001);
+}
+
+//------------------------------------------------------------------------------
+// A slip of the pen in a scene is named, and the rest is read.
+void TestViewerOpening::unknownKeysAreNamed()
+{
+  this->Write("slip.json", R"({"reliefScene": 1, "hightScale": 3, "tolerance": 0.01})");
+  const Window window = this->NewWindow(this->Hills());
+  QVERIFY(window->Open(this->Path("slip.json")));
+  QCOMPARE(window->Opened()->Scene()->GetTolerance(), 0.01);
+  QVERIFY(this->Said.takeFirst().contains("hightScale"));
 }
 
 //------------------------------------------------------------------------------

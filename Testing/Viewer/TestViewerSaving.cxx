@@ -155,12 +155,15 @@ void TestViewerSaving::byDialogs()
   ChooseFile(this->Path("chosen"));
   Trigger(window.get(), "savePicture");
   QCOMPARE(QImage(this->Path("chosen.png")).size(), QSize(64, 48));
+  QCOMPARE(this->Said.takeFirst(), QString("chosen.png is saved"));
   ChooseFile(this->Path("chosen"));
   Trigger(window.get(), "saveLayers");
   QVERIFY(QFile::exists(this->Path("chosen.exr")));
+  QCOMPARE(this->Said.takeFirst(), QString("chosen.exr is saved"));
   ChooseFile(this->Path("chosen"));
   Trigger(window.get(), "saveScene");
   QCOMPARE(window->Opened()->SceneFile(), this->Path("chosen.json"));
+  QCOMPARE(this->Said.takeFirst(), QString("chosen.json is saved"));
   // Now it has a name.
   Type(Find(window.get(), "heightScale"), "2");
   QVERIFY(window->isWindowModified());
@@ -268,6 +271,7 @@ void TestViewerSaving::closingAsks()
     });
   QVERIFY(window->close());
   QVERIFY(this->Read("closing.json").contains("2.5"));
+  QCOMPARE(this->Said.takeFirst(), QString("closing.json is saved"));
 
   const Window other = this->NewWindow(this->Hills());
   Type(Find(other.get(), "heightScale"), "3.5");

@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSlider>
+#include <QStatusBar>
 #include <QWheelEvent>
 
 #include <clocale>
@@ -48,6 +49,14 @@ void ViewerTest::SetUpApplication()
 ViewerTest::Window ViewerTest::NewWindow(const QString& file)
 {
   auto window = std::make_unique<MainWindow>();
+  connect(window->statusBar(), &QStatusBar::messageChanged, this,
+    [this](const QString& message)
+    {
+      if (!message.isEmpty())
+      {
+        this->Said += message;
+      }
+    });
   window->resize(900, 640);
   window->show();
   if (!QTest::qWaitForWindowExposed(window.get()))
@@ -61,6 +70,16 @@ ViewerTest::Window ViewerTest::NewWindow(const QString& file)
     qFatal("%s is not shown", qPrintable(file));
   }
   return window;
+}
+
+//------------------------------------------------------------------------------
+void ViewerTest::cleanup()
+{
+  const QString error = QString::fromStdString(reliefshade::takeError());
+  QVERIFY2(error.isEmpty(), qPrintable(error));
+  const QString said = this->Said.join(QStringLiteral("; "));
+  this->Said.clear();
+  QVERIFY2(said.isEmpty(), qPrintable(said));
 }
 
 //------------------------------------------------------------------------------

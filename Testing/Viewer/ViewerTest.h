@@ -97,8 +97,14 @@ public:
     return widget;
   }
 
+protected slots:
+  /// What the status bar has said, errors of OpenGL among it, must have been expected.
+  void cleanup();
+
 protected:
   QTemporaryDir Folder;
+  /// What the status bar has said. A test that expects something takes it out.
+  QStringList Said;
 
 private:
   static void SetUp();
