@@ -251,7 +251,7 @@ bool MainWindow::SaveSceneAgain()
     return this->SaveScene(this->Shown->SceneFile());
   }
   bool saved = false;
-  this->ChooseAndSave(tr("Save scene"), tr("Scenes (*.json)"), "json",
+  this->ChooseAndSave(tr("Save scene"), tr("Scenes (*.json)"), QStringLiteral("-scene"), "json",
     [this, &saved](const QString& file) { return saved = this->SaveScene(file); });
   return saved;
 }
@@ -285,12 +285,14 @@ void MainWindow::ChooseAndOpen()
 }
 
 //------------------------------------------------------------------------------
-void MainWindow::ChooseAndSave(const QString& what, const QString& filter, const QString& suffix,
-  const std::function<bool(const QString&)>& save)
+void MainWindow::ChooseAndSave(const QString& what, const QString& filter, const QString& ending,
+  const QString& suffix, const std::function<bool(const QString&)>& save)
 {
   QFileDialog dialog(this, what, this->Folder, filter);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(suffix);
+  // Never the name of the heights themselves: the suffix may become theirs.
+  dialog.selectFile(QFileInfo(this->Shown->FieldFile()).completeBaseName() + ending);
   // The suffix of the format that is chosen.
   connect(&dialog, &QFileDialog::filterSelected, &dialog,
     [&dialog, suffix](const QString& chosen)

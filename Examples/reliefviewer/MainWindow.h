@@ -63,8 +63,9 @@ private:
   bool Save(const QString& file, SaveField* save);
   bool Try(const std::function<bool()>& action);
   void ChooseAndOpen();
-  void ChooseAndSave(const QString& what, const QString& filter, const QString& suffix,
-    const std::function<bool(const QString&)>& save);
+  /// Suggests the field's name with an ending and a suffix.
+  void ChooseAndSave(const QString& what, const QString& filter, const QString& ending,
+    const QString& suffix, const std::function<bool(const QString&)>& save);
   bool SaveSceneAgain();
   void ChooseEnvironment();
   void Report(const QString& message);

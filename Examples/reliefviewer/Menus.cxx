@@ -64,7 +64,7 @@ void MainWindow::AddFileMenu()
     QKeySequence(Qt::CTRL + Qt::SHIFT + Qt::Key_S),
     [this]
     {
-      this->ChooseAndSave(tr("Save scene"), tr("Scenes (*.json)"), "json",
+      this->ChooseAndSave(tr("Save scene"), tr("Scenes (*.json)"), "-scene", "json",
         [this](const QString& file) { return this->SaveScene(file); });
     });
   menu->addSeparator();
@@ -75,13 +75,13 @@ void MainWindow::AddFileMenu()
       this->ChooseAndSave(tr("Save picture"),
         tr(
           "PNG (*.png);;TIFF (*.tif *.tiff);;OpenEXR, linear (*.exr);;JPEG (*.jpg);;All files (*)"),
-        "png", [this](const QString& file) { return this->SavePicture(file); });
+        "-shaded", "png", [this](const QString& file) { return this->SavePicture(file); });
     });
   this->NeedField += this->AddAction(menu, "saveLayers", tr("Save &layers \u2026"),
     QKeySequence(Qt::CTRL + Qt::SHIFT + Qt::Key_E),
     [this]
     {
-      this->ChooseAndSave(tr("Save layers"), tr("OpenEXR (*.exr)"), "exr",
+      this->ChooseAndSave(tr("Save layers"), tr("OpenEXR (*.exr)"), "-layers", "exr",
         [this](const QString& file) { return this->SaveLayers(file); });
     });
   menu->addSeparator();

@@ -33,6 +33,7 @@ namespace
 {
 constexpr double StillRate = 0.001;
 constexpr double MovingRate = 15.0;
+constexpr double DotRadius = 7.0; // on a screen of usual resolution
 constexpr double SelectedOutline[3] = { 1.0, 0.85, 0.4 };
 constexpr double OtherOutline[3] = { 1.0, 1.0, 1.0 };
 }
@@ -182,7 +183,6 @@ void ReliefView::PlaceDot(vtkReliefLightRepresentation* dot)
   double bounds[6] = { 0.0, field.Length(0), 0.0, field.Length(1), 0.0, 0.0 };
   dot->PlaceWidget(bounds);
   dot->SetMeanHeight(field.Mean);
-  dot->SetHandleSize(7.0 * this->effectiveDevicePixelRatio());
 }
 
 //------------------------------------------------------------------------------
@@ -215,6 +215,8 @@ void ReliefView::TakeLights()
   {
     this->Lights[i]->GetLightRepresentation()->SetLight(
       vtkLight::SafeDownCast(lights->GetItemAsObject(static_cast<int>(i))));
+    this->Lights[i]->GetLightRepresentation()->SetHandleSize(
+      DotRadius * this->effectiveDevicePixelRatio());
     this->Lights[i]->SetEnabled(this->DotsShown);
   }
   this->HighlightSelected();

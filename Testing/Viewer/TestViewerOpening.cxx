@@ -33,6 +33,7 @@ private slots:
   void lampsKeepTheirPlaceOnTheMap();
   void degreesAreAskedFor();
   void unknownKeysAreNamed();
+  void helpListsTheKeys();
   void recentFiles();
   void remembersItsWindow();
 
@@ -272,6 +273,30 @@ void TestViewerOpening::unknownKeysAreNamed()
   QVERIFY(window->Open(this->Path("slip.json")));
   QCOMPARE(window->Opened()->Scene()->GetTolerance(), 0.01);
   QVERIFY(this->Said.takeFirst().contains("hightScale"));
+}
+
+//------------------------------------------------------------------------------
+void TestViewerOpening::helpListsTheKeys()
+{
+  const Window window = this->NewWindow();
+  QString text;
+  Answer(QMessageBox::Ok, &text);
+  Trigger(window.get(), "shortcuts");
+  for (const char* part :
+    { "Ctrl+O", "Ctrl+Z", "Ctrl+S", "Ctrl+E", "F11", "Fit heights", "Drag a dot" })
+  {
+    QVERIFY2(text.contains(part), part);
+  }
+  // No two actions share one.
+  QStringList keys;
+  for (const QAction* action : window->findChildren<QAction*>())
+  {
+    for (const QKeySequence& key : action->shortcuts())
+    {
+      keys += key.toString();
+    }
+  }
+  QCOMPARE(keys.removeDuplicates(), 0);
 }
 
 //------------------------------------------------------------------------------

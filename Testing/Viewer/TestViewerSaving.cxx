@@ -13,6 +13,7 @@
 #include "vtkReliefMaterial.h"
 
 #include <QAction>
+#include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -152,6 +153,15 @@ void TestViewerSaving::layers()
 void TestViewerSaving::byDialogs()
 {
   const Window window = this->NewWindow(this->Hills());
+  QStringList suggested;
+  InDialog<QFileDialog>(
+    [&suggested](QFileDialog* dialog)
+    {
+      suggested = dialog->selectedFiles();
+      dialog->reject();
+    });
+  Trigger(window.get(), "savePicture");
+  QVERIFY(suggested.value(0).endsWith("/hills-shaded.png"));
   ChooseFile(this->Path("chosen"));
   Trigger(window.get(), "savePicture");
   QCOMPARE(QImage(this->Path("chosen.png")).size(), QSize(64, 48));
