@@ -199,12 +199,12 @@ vtkOpenGLQuadHelper* ReliefPasses::UseProgram(
 //------------------------------------------------------------------------------
 void ReliefPasses::SetLight(vtkShaderProgram* program, const relief::LightPlan& light)
 {
-  const relief::f64::ReliefMedium& medium = this->Parameters.medium;
-  program->SetUniformf("mediumDepth", static_cast<float>(medium.depth));
-  program->SetUniformf("mediumDensity", static_cast<float>(medium.density));
-  program->SetUniformf("mediumFloor", static_cast<float>(medium.floorHeight));
+  const relief::f32::ReliefMedium medium = relief::ToSingle(this->Parameters.medium);
+  program->SetUniformf("mediumDepth", medium.depth);
+  program->SetUniformf("mediumDensity", medium.density);
+  program->SetUniformf("mediumFloor", medium.floorHeight);
   program->SetUniformf(
-    "mediumTolerance", static_cast<float>(medium.tolerance * light.light.toleranceScale));
+    "mediumTolerance", medium.tolerance * static_cast<float>(light.light.toleranceScale));
   glm::dvec3 vector = light.light.vector;
   if (light.light.positional)
   {
