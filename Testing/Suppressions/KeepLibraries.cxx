@@ -5,7 +5,7 @@
 
 #include <dlfcn.h>
 
-int dlclose(void*) noexcept
+__attribute__((visibility("default"))) int dlclose(void*) noexcept
 {
   return 0;
 }
