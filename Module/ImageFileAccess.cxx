@@ -123,6 +123,13 @@ void CheckImage(const std::string& fileName, vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+vtkTypeInt64 PhysicalMemory()
+{
+  static const vtkTypeInt64 memory = vtksys::SystemInformation().GetHostMemoryTotal();
+  return memory > 0 ? memory : vtkTypeInt64(64) << 20; // where the system does not tell
+}
+
+//------------------------------------------------------------------------------
 int VTKType(OIIO::TypeDesc type)
 {
   switch (type.basetype)
@@ -220,6 +227,14 @@ TemporaryFile::~TemporaryFile()
   {
     SystemTools::RemoveFile(this->filename());
   }
+}
+
+//------------------------------------------------------------------------------
+std::string TemporaryFile::Reword(const std::string& text) const
+{
+  std::string result = text;
+  SystemTools::ReplaceString(result, this->filename(), this->Target);
+  return OneLine(result);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 /// exception of another library passes, and files that appear whole or not at all. Private to the
 /// module.
 
+#include "vtkType.h" // For vtkTypeInt64
+
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/typedesc.h>
 
@@ -48,6 +50,9 @@ unsigned long Guard(const std::function<void()>& step, std::string& reason);
 /// Throws a Failure unless there is a name, and one slice of points with scalars to write under it.
 void CheckImage(const std::string& fileName, vtkImageData* image);
 
+/// The memory that the machine has, in kibibytes.
+vtkTypeInt64 PhysicalMemory();
+
 /// The type of VTK that holds numbers of a type of OpenImageIO, half as float; VTK_VOID where there
 /// is none.
 int VTKType(OIIO::TypeDesc type);
@@ -67,6 +72,9 @@ public:
   ~TemporaryFile() override;
   TemporaryFile(const TemporaryFile&) = delete;
   void operator=(const TemporaryFile&) = delete;
+
+  /// A message about the file as one about the target, in one line.
+  std::string Reword(const std::string& text) const;
 
   /// Closes the file. Returns the system's error number of the first write that failed, 0 if none
   /// did.

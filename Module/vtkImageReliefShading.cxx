@@ -16,7 +16,7 @@
 #include "vtkReliefSetters.h"
 #include "vtkReliefStatistics.h"
 #include "vtkReliefTextures.h"
-#include "vtkSMPTools.h"
+#include "vtkReliefThreads.h"
 #include "vtkScalarsToColors.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -211,6 +211,22 @@ int vtkImageReliefShading::RequestUpdateExtent(
 int vtkImageReliefShading::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  try
+  {
+    return this->Shade(inputs, outputs);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkImageData::GetData(outputs, 0)->Initialize();
+    this->ReleaseCache();
+    vtkErrorMacro("There is not enough memory to shade the image.");
+    return 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
@@ -357,7 +373,7 @@ int vtkImageReliefShading::RequestData(
   for (int begin = firstRow / height; begin < tiles && !this->AbortExecute; begin += band)
   {
     const int end = std::min(begin + band, tiles);
-    vtkSMPTools::For(begin, end, 1,
+    vtkReliefFor(begin, end, 1,
       [&](vtkIdType from, vtkIdType to)
       {
         shading->Shade(target.i0, target.i0 + target.width,

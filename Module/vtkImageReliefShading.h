@@ -236,6 +236,8 @@ protected:
   unsigned long CacheMemoryLimit = 262144;
 
 private:
+  int Shade(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
   vtkImageReliefShading(const vtkImageReliefShading&) = delete;
   void operator=(const vtkImageReliefShading&) = delete;
 

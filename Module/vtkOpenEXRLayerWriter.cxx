@@ -383,7 +383,7 @@ vtkIdType WriteWholeFile(const Job& job)
   }
   catch (const Iex::BaseExc& exception)
   {
-    reason = OneLine(exception.what());
+    reason = file.Reword(exception.what());
   }
   // OpenEXR writes its table of offsets as it closes, and keeps to itself if that fails.
   if (const int error = file.Finish())

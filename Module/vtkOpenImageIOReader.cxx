@@ -19,6 +19,7 @@
 #include "vtkStringArray.h"
 
 #include "ImageFileAccess.h"
+#include "ImageFileChecks.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iomanip>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -38,6 +40,7 @@ namespace
 {
 using OIIO::TypeDesc;
 using relief::io::Aborted;
+using relief::io::CheckHeader;
 using relief::io::Failure;
 using relief::io::Guard;
 using relief::io::OneLine;
@@ -79,7 +82,7 @@ struct Mapping
 // An open file, at the picture that was asked for.
 struct Picture
 {
-  Picture(const char* fileName, int subimage, int mipLevel);
+  Picture(const char* fileName, int subimage, int mipLevel, vtkTypeInt64 memoryLimit);
 
   std::unique_ptr<OIIO::ImageInput> Input;
   OIIO::ImageSpec Spec;
@@ -87,7 +90,7 @@ struct Picture
   int Orientation = 1;
 };
 
-Picture::Picture(const char* fileName, int subimage, int mipLevel)
+Picture::Picture(const char* fileName, int subimage, int mipLevel, vtkTypeInt64 memoryLimit)
 {
   using vtksys::SystemTools;
   if (!fileName || !*fileName)
@@ -111,6 +114,8 @@ Picture::Picture(const char* fileName, int subimage, int mipLevel)
   {
     throw Failure(vtkErrorCode::PrematureEndOfFileError, "the file is empty");
   }
+
+  CheckHeader(fileName, memoryLimit);
 
   // Colours stored beside an alpha that does not multiply them are to stay so.
   OIIO::ImageSpec configuration;
@@ -166,20 +171,56 @@ int SeparateChannel(const OIIO::ImageSpec& spec, bool alphaAsMask)
   return alphaAsMask && spec.nchannels > 1 ? spec.alpha_channel : -1;
 }
 
+// How a picture's rows are read: in bands of about 4 MiB, large enough for OpenImageIO to decode in
+// parallel, small beside the image. They begin at whole tiles, and at whole compressed blocks of
+// the usual heights.
+struct Bands
+{
+  explicit Bands(const OIIO::ImageSpec& spec)
+    : Tiled(spec.tile_width > 0)
+    , Format(spec.format.basetype == TypeDesc::HALF ? TypeDesc(TypeDesc::FLOAT) : spec.format)
+    , RowBytes(static_cast<size_t>(spec.width) * spec.nchannels * this->Format.size())
+    , Granule(std::min(this->Tiled ? std::max(spec.tile_height, 1) : 64, spec.height))
+    , Rows(spec.height)
+  {
+    const size_t granules = std::max<size_t>(1, (4 << 20) / this->RowBytes / this->Granule);
+    if (granules < static_cast<size_t>(spec.height / this->Granule))
+    {
+      this->Rows = static_cast<int>(granules) * this->Granule;
+    }
+  }
+
+  bool Tiled;
+  TypeDesc Format;
+  size_t RowBytes;
+  int Granule;
+  int Rows; // of a band
+};
+
 void RefuseBeyond(vtkTypeInt64 limit, const Picture& picture)
 {
   const OIIO::ImageSpec& spec = picture.Spec;
-  // The mask adds a byte. In floating point, for the product of four absurd numbers overflows
-  // integers.
-  const double bytesPerPixel =
-    static_cast<double>(spec.nchannels) * vtkDataArray::GetDataTypeSize(picture.ScalarType) + 1.0;
-  const double needed = bytesPerPixel * spec.width * spec.height / (1024.0 * 1024.0);
+  // In floating point, for the product of four absurd numbers overflows integers.
+  const double pixelBytes =
+    static_cast<double>(spec.nchannels) * vtkDataArray::GetDataTypeSize(picture.ScalarType);
+  const double rowBytes = pixelBytes * spec.width;
+  // The mask adds a byte. A band is read, and decoded from tiles that may be larger.
+  const double outputs = (pixelBytes + 1.0) * spec.width * spec.height;
+  const double band = std::max(std::min(rowBytes * spec.height, 4.0 * 1024.0 * 1024.0),
+    rowBytes * std::min(spec.tile_width > 0 ? spec.tile_height : 64, spec.height));
+  const double tile = pixelBytes * spec.tile_width * spec.tile_height;
+  const double needed = (outputs + band + tile) / 1024.0;
   if (limit > 0 && needed > static_cast<double>(limit))
   {
     std::ostringstream text;
     text << "its header gives " << spec.width << " x " << spec.height << " pixels of "
-         << spec.nchannels << " channels, which need " << std::ceil(needed)
-         << " MiB of memory; MemoryLimit is " << limit << " MiB";
+         << spec.nchannels << " channels";
+    if (spec.tile_width > 0)
+    {
+      text << " in tiles of " << spec.tile_width << " x " << spec.tile_height;
+    }
+    text << ", which need " << std::fixed << std::setprecision(0) << std::ceil(needed)
+         << " KiB of memory; MemoryLimit is " << limit << " KiB";
     throw Failure(vtkErrorCode::FileFormatError, text.str());
   }
 }
@@ -332,36 +373,28 @@ void ReadPixels(vtkAlgorithm* self, Picture& picture, int subimage, int mipLevel
     }
   }
 
-  // Bands of about 4 MiB: large enough for OpenImageIO to decode in parallel, small beside the
-  // image. They begin at whole tiles, and at whole compressed blocks of the usual heights.
-  const bool tiled = spec.tile_width > 0;
-  const int granule = tiled ? std::min(spec.tile_height, spec.height) : 64;
-  const TypeDesc format =
-    spec.format.basetype == TypeDesc::HALF ? TypeDesc(TypeDesc::FLOAT) : spec.format;
-  const vtkTypeInt64 rowBytes =
-    static_cast<vtkTypeInt64>(format.size()) * spec.nchannels * spec.width;
-  const int granules =
-    static_cast<int>(std::max<vtkTypeInt64>(1, (4 << 20) / rowBytes / std::max(granule, 1)));
-  const int bandRows = std::min(granules * granule, spec.height);
-  yBegin = yBegin / granule * granule;
-
-  std::vector<unsigned char> band(static_cast<size_t>(rowBytes) * bandRows);
-  for (int y = yBegin; y < yEnd; y += bandRows)
+  const Bands bands(spec);
+  yBegin = yBegin / bands.Granule * bands.Granule;
+  std::vector<unsigned char> band(bands.RowBytes * bands.Rows);
+  for (int y = yBegin; y < yEnd; y += bands.Rows)
   {
     if (self->GetAbortExecute())
     {
       throw Aborted();
     }
     // Tiles are read whole, to the image's last row.
-    const int end = std::min(y + bandRows, tiled ? spec.height : yEnd);
-    const bool read = tiled
+    const int end = std::min(y + bands.Rows, bands.Tiled ? spec.height : yEnd);
+    const bool read = bands.Tiled
       ? picture.Input->read_tiles(subimage, mipLevel, spec.x, spec.x + spec.width, spec.y + y,
-          spec.y + end, spec.z, spec.z + 1, 0, spec.nchannels, format, band.data())
+          spec.y + end, spec.z, spec.z + 1, 0, spec.nchannels, bands.Format, band.data())
       : picture.Input->read_scanlines(subimage, mipLevel, spec.y + y, spec.y + end, spec.z, 0,
-          spec.nchannels, format, band.data());
+          spec.nchannels, bands.Format, band.data());
     const std::string text = picture.Input->geterror();
-    // JPEG fills in grey for what is missing and only notes it; its other notes are harmless.
-    if (!read || text.find("remature end") != std::string::npos)
+    // JPEG fills in grey for what is missing and only notes it, as TIFF does where it decodes strips
+    // in parallel; their other notes are harmless.
+    const bool noted = text.find("remature end") != std::string::npos ||
+      text.find("ead error") != std::string::npos || text.find("failed") != std::string::npos;
+    if (!read || noted)
     {
       throw Failure(vtkErrorCode::PrematureEndOfFileError,
         "its pixels end early or are damaged: " + OneLine(text));
@@ -411,6 +444,7 @@ const Registration registration;
 
 //------------------------------------------------------------------------------
 vtkOpenImageIOReader::vtkOpenImageIOReader()
+  : MemoryLimit(relief::io::PhysicalMemory())
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -425,14 +459,16 @@ void vtkOpenImageIOReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Subimage: " << this->Subimage << "\n";
   os << indent << "MipLevel: " << this->MipLevel << "\n";
   os << indent << "AlphaAsMask: " << (this->AlphaAsMask ? "On\n" : "Off\n");
-  os << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << " KiB\n";
 }
 
 //------------------------------------------------------------------------------
 int vtkOpenImageIOReader::CanReadFile(const char* fileName)
 {
   std::string reason;
-  return Guard([&] { Picture(fileName, 0, 0); }, reason) == vtkErrorCode::NoError ? 2 : 0;
+  return Guard([&] { Picture(fileName, 0, 0, this->MemoryLimit); }, reason) == vtkErrorCode::NoError
+    ? 2
+    : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -478,7 +514,7 @@ int vtkOpenImageIOReader::RequestInformation(vtkInformation* vtkNotUsed(request)
   this->ErrorCode = Guard(
     [&]
     {
-      const Picture picture(this->FileName, this->Subimage, this->MipLevel);
+      const Picture picture(this->FileName, this->Subimage, this->MipLevel, this->MemoryLimit);
       RefuseBeyond(this->MemoryLimit, picture);
       const OIIO::ImageSpec& spec = picture.Spec;
       const Mapping mapping(picture.Orientation, spec.width, spec.height);
@@ -528,7 +564,7 @@ int vtkOpenImageIOReader::RequestData(vtkInformation* request,
   this->ErrorCode = Guard(
     [&]
     {
-      Picture picture(this->FileName, this->Subimage, this->MipLevel);
+      Picture picture(this->FileName, this->Subimage, this->MipLevel, this->MemoryLimit);
       const OIIO::ImageSpec& spec = picture.Spec;
       const Mapping mapping(picture.Orientation, spec.width, spec.height);
       const bool separate = SeparateChannel(spec, this->AlphaAsMask) >= 0;

@@ -41,6 +41,10 @@
  * message. Not every filter of VTK takes an empty image well: look at GetErrorCode before running
  * one on the output.
  *
+ * <b>Files of strangers.</b> Damaged files have been tried in PNG, TIFF, OpenEXR, JPEG, JPEG 2000,
+ * Radiance HDR, PNM, BMP and GIF. OpenImageIO's decoders of other formats may not survive them:
+ * those of IFF and WebP in version 2.4 do not.
+ *
  * Only FileName is used; the superclass's series of files and memory buffer are not. Parts of the
  * extent can be asked for: only the rows that are needed are read. The reader is registered with
  * vtkImageReader2Factory when the library is loaded, behind VTK's own readers, which keep their
@@ -93,11 +97,12 @@ public:
 
   ///@{
   /**
-   * A picture whose outputs would need more memory than this, in MiB, is refused before any is
-   * allocated: a damaged header can promise any size. Default: 65536 (64 GiB). 0 refuses nothing.
-   * Range: 0 to 2^40, clamped.
+   * A picture that would need more memory than this, in kibibytes, is refused before any is
+   * allocated: a damaged header can promise any size. Counted are both outputs whole, whatever part
+   * is asked for, and the rows and tiles that are decoded at a time. Default: the memory that the
+   * machine has. 0 refuses nothing. Range: 0 to 2^50, clamped.
    */
-  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, vtkTypeInt64(1) << 40);
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, vtkTypeInt64(1) << 50);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
@@ -132,7 +137,7 @@ protected:
   int Subimage = 0;
   int MipLevel = 0;
   vtkTypeBool AlphaAsMask = 0;
-  vtkTypeInt64 MemoryLimit = 65536;
+  vtkTypeInt64 MemoryLimit;
 
 private:
   vtkOpenImageIOReader(const vtkOpenImageIOReader&) = delete;

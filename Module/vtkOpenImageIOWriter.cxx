@@ -173,7 +173,7 @@ struct Job
   int Quality;
 };
 
-void WriteRows(const Job& job, OIIO::ImageOutput& output)
+void WriteRows(const Job& job, OIIO::ImageOutput& output, const TemporaryFile& file)
 {
   vtkDataArray* scalars = job.Image->GetPointData()->GetScalars();
   const TypeDesc type = FileType(scalars->GetDataType());
@@ -210,7 +210,7 @@ void WriteRows(const Job& job, OIIO::ImageOutput& output)
     if (!output.write_scanlines(y, end, 0, type, band.data()))
     {
       throw Failure(
-        vtkErrorCode::OutOfDiskSpaceError, "writing failed: " + OneLine(output.geterror()));
+        vtkErrorCode::OutOfDiskSpaceError, "writing failed: " + file.Reword(output.geterror()));
     }
     job.Writer->UpdateProgress(static_cast<double>(end) / spec.height);
   }
@@ -223,16 +223,16 @@ void WriteRows(const Job& job, OIIO::ImageOutput& output)
 // Some formats' writers take what their readers do not give back, so the header is looked at once
 // more, and where OpenImageIO has not written through TemporaryFile, whether all rows have come to
 // the disk.
-void CheckFile(const std::string& fileName, const OIIO::ImageSpec& written, bool checkRows)
+void CheckFile(const TemporaryFile& file, const OIIO::ImageSpec& written, bool checkRows)
 {
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(fileName);
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(file.filename());
   if (!input)
   {
     OIIO::geterror(); // The format is written only
     return;
   }
   OIIO::ImageSpec found;
-  const bool opened = input->open(fileName, found);
+  const bool opened = input->open(file.filename(), found);
   if (opened &&
     (found.width != written.width || found.height != written.height ||
       found.nchannels < written.nchannels || found.format != written.format))
@@ -252,8 +252,8 @@ void CheckFile(const std::string& fileName, const OIIO::ImageSpec& written, bool
   const std::string text = input->geterror();
   if (!whole)
   {
-    throw Failure(
-      vtkErrorCode::OutOfDiskSpaceError, "what was written cannot be read back: " + OneLine(text));
+    throw Failure(vtkErrorCode::OutOfDiskSpaceError,
+      "what was written cannot be read back: " + file.Reword(text));
   }
 }
 
@@ -317,23 +317,23 @@ void WriteWholeFile(const Job& job)
   }
   if (!format->open(file.filename(), spec))
   {
-    throw Failure(vtkErrorCode::FileFormatError, OneLine(format->geterror()));
+    throw Failure(vtkErrorCode::FileFormatError, file.Reword(format->geterror()));
   }
   CheckType(*format, spec.format, job.PixelType == vtkOpenImageIOWriter::Automatic);
-  WriteRows(job, *format);
+  WriteRows(job, *format, file);
   // Its text alone is no failure: TIFF leaves one behind files that are whole.
   const bool closed = format->close();
   const std::string text = format->geterror();
   if (!closed)
   {
-    throw Failure(vtkErrorCode::OutOfDiskSpaceError, "writing failed: " + OneLine(text));
+    throw Failure(vtkErrorCode::OutOfDiskSpaceError, "writing failed: " + file.Reword(text));
   }
   if (const int error = file.Finish())
   {
     throw Failure(
       vtkErrorCode::OutOfDiskSpaceError, std::string("writing failed: ") + std::strerror(error));
   }
-  CheckFile(file.filename(), format->spec(), !checked);
+  CheckFile(file, format->spec(), !checked);
   file.Rename();
 }
 }

@@ -23,6 +23,44 @@ static_assert(
   static_cast<int>(vtkReliefMaterial::SurfaceNormal) == relief::f64::RELIEF_SURFACE_NORMAL);
 static_assert(static_cast<int>(vtkReliefMaterial::Exponential) == relief::f64::RELIEF_EXPONENTIAL);
 
+namespace
+{
+// The model's single precision needs room for squares and products. What is beyond counts as the
+// limit, which looks the same: Documentation/Conventions.md.
+constexpr double LargestLength = 1e15;
+constexpr double LargestColor = 1e6;
+constexpr double LargestRadiance = 1e30;
+constexpr double LargestNumber = 1e30;
+
+double Bounded(double value, double largest)
+{
+  return std::clamp(value, -largest, largest);
+}
+
+relief::f64::ReliefFalloff Falloff(const double range[2], double power)
+{
+  return { Bounded(range[0], LargestNumber), Bounded(range[1], LargestNumber),
+    Bounded(power, LargestNumber) };
+}
+
+// A lamp farther away stands in the same direction, and light that is stronger is as white.
+void Bound(relief::Light& light)
+{
+  const double length = std::hypot(light.vector.x, light.vector.y, light.vector.z);
+  if (light.positional && length > LargestLength)
+  {
+    light.vector *= LargestLength / length;
+  }
+  const double brightest =
+    std::max({ std::abs(light.color.x), std::abs(light.color.y), std::abs(light.color.z) }) *
+    std::abs(light.weight);
+  if (std::abs(light.intensity) * brightest > LargestRadiance)
+  {
+    light.intensity = std::copysign(LargestRadiance / brightest, light.intensity);
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 std::string vtkReliefImageFrame::Assign(vtkImageData* image)
 {
@@ -33,10 +71,11 @@ std::string vtkReliefImageFrame::Assign(vtkImageData* image)
   std::ostringstream message;
   for (int axis = 0; axis < 2; ++axis)
   {
-    if (!std::isfinite(spacing[axis]) || spacing[axis] == 0.0)
+    const double size = std::abs(spacing[axis]);
+    if (!(size >= 1.0 / LargestLength && size <= LargestLength))
     {
       message << "the spacing is (" << spacing[0] << ", " << spacing[1]
-              << "), finite numbers other than 0 are expected";
+              << "), numbers from 1e-15 to 1e15, or these negative, are expected";
       return message.str();
     }
     this->Spacing[axis] = std::abs(spacing[axis]);
@@ -44,8 +83,17 @@ std::string vtkReliefImageFrame::Assign(vtkImageData* image)
     this->First[axis] = extent[2 * axis] * this->Spacing[axis];
   }
   vtkMatrix3x3::Invert(this->Direction, this->Inverse);
+  // The volume that the three directions span: beside that of a box of the same lengths it tells
+  // how near to a plane they lie, where their inverse has no digits left.
+  double box = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double* m = this->Direction;
+    box *= std::hypot(m[axis], m[3 + axis], m[6 + axis]);
+  }
+  const double volume = std::abs(vtkMatrix3x3::Determinant(this->Direction));
   if (!std::isfinite(this->Origin[0] + this->Origin[1] + this->Origin[2]) ||
-    vtkMatrix3x3::Determinant(this->Direction) == 0.0)
+    !(volume >= 1e-12 * box && box >= 1e-15 && box <= 1e15))
   {
     return "origin and direction matrix must be finite, and the matrix regular";
   }
@@ -195,12 +243,14 @@ std::string vtkReliefConvertLight(
   if (result.positional)
   {
     result.vector = frame.PointFromWorld(position) - glm::dvec3(0.0, 0.0, datum);
-    return std::string();
+    return std::isfinite(std::hypot(result.vector.x, result.vector.y, result.vector.z))
+      ? std::string()
+      : "its position must be finite";
   }
   const double toward[3] = { position[0] - focal[0], position[1] - focal[1],
     position[2] - focal[2] };
   glm::dvec3 v = frame.VectorFromWorld(toward);
-  double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  const double length = std::hypot(v.x, v.y, v.z);
   if (!std::isfinite(length) || length == 0.0)
   {
     return "its position and focal point must be finite and differ";
@@ -265,6 +315,7 @@ std::string vtkReliefConvertLights(vtkReliefScene* scene, vtkLightCollection* ot
     }
     result.insert(result.end(), samples.begin(), samples.end());
   }
+  std::for_each(result.begin(), result.end(), Bound);
   return std::string();
 }
 
@@ -273,26 +324,29 @@ relief::Scene vtkReliefConvertMaterial(
   vtkReliefScene* scene, const vtkReliefImageFrame& frame, double datum)
 {
   vtkReliefMaterial* material = scene->GetMaterial();
-  auto color = [](const double c[3]) { return glm::dvec3(c[0], c[1], c[2]); };
+  auto color = [](const double c[3])
+  {
+    return glm::dvec3(
+      std::min(c[0], LargestColor), std::min(c[1], LargestColor), std::min(c[2], LargestColor));
+  };
   relief::Scene result;
   result.base = color(material->GetBaseColor());
   result.diffuse = color(material->GetDiffuseColor());
   result.specular = color(material->GetSpecularColor());
   result.specularCoefficient = material->GetSpecularCoefficient();
   result.scatterCoefficient = material->GetForwardScatterCoefficient();
-  result.specularFalloff = { material->GetSpecularRange()[0], material->GetSpecularRange()[1],
-    material->GetSpecularPower() };
-  result.scatterFalloff = { material->GetForwardScatterRange()[0],
-    material->GetForwardScatterRange()[1], material->GetForwardScatterPower() };
+  result.specularFalloff = Falloff(material->GetSpecularRange(), material->GetSpecularPower());
+  result.scatterFalloff =
+    Falloff(material->GetForwardScatterRange(), material->GetForwardScatterPower());
   result.medium.depth = material->GetAutomaticSubsurfaceDepth()
     ? (frame.Spacing[0] + frame.Spacing[1]) / 2.0
-    : material->GetSubsurfaceDepth();
+    : std::min(material->GetSubsurfaceDepth(), LargestLength);
   result.medium.offset = material->GetOffsetMode();
   result.medium.attenuation = material->GetAttenuation();
-  result.medium.density = material->GetDensity();
+  result.medium.density = std::min(material->GetDensity(), LargestNumber);
   result.medium.useFloor = material->GetUseFloor();
-  result.medium.floorHeight = material->GetFloorHeight() - datum;
-  result.medium.tolerance = scene->GetTolerance();
+  result.medium.floorHeight = Bounded(material->GetFloorHeight() - datum, LargestNumber);
+  result.medium.tolerance = std::min(scene->GetTolerance(), 1.0); // of d, which is no more
   result.integrator = scene->GetIntegrator() == vtkReliefScene::Exact
     ? relief::Integrator::Exact
     : relief::Integrator::FixedStep;

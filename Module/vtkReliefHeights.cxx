@@ -3,7 +3,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkSMPTools.h"
+#include "vtkReliefThreads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace
 
 void ForRows(int count, const std::function<void(int, int)>& body)
 {
-  vtkSMPTools::For(0, count,
+  vtkReliefFor(0, count, 0,
     [&](vtkIdType begin, vtkIdType end) { body(static_cast<int>(begin), static_cast<int>(end)); });
 }
 

@@ -5,7 +5,7 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkReliefConversion.h"
-#include "vtkSMPTools.h"
+#include "vtkReliefThreads.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -181,7 +181,7 @@ void vtkReliefTextures::WarnOfTexels(const relief::Scene& scene, int effects, vt
     this->Counted[k] = this->Given[k];
     const relief::ColorTexture& texture = (scene.*kind.textures).back();
     std::atomic<vtkIdType> unusable{ 0 };
-    vtkSMPTools::For(0, texture.rows,
+    vtkReliefFor(0, texture.rows, 0,
       [&](vtkIdType begin, vtkIdType end)
       {
         unusable += static_cast<vtkIdType>(

@@ -89,7 +89,7 @@ public:
     const Ints first = hn::Sub(index, hn::Iota(intTag, 0));
     this->Start = hn::GetLane(first);
     this->SideBySide = this->PitchX == 1 && this->Start >= 0 &&
-      this->Start + this->Lanes + this->PitchY < this->Count &&
+      this->Start < this->Count - this->Lanes - this->PitchY &&
       hn::AllTrue(intTag, hn::Eq(first, hn::Set(intTag, this->Start)));
     if (!this->SideBySide)
     {

@@ -65,8 +65,10 @@ RELIEF_FIELD_FN real3 reliefNormal(RELIEF_FIELD field, int i, int j)
   real east = i + 1 < reliefColumns(field) ? reliefHeight(field, i + 1, j) : none;
   real south = j > 0 ? reliefHeight(field, i, j - 1) : none;
   real north = j + 1 < reliefRows(field) ? reliefHeight(field, i, j + 1) : none;
-  real gx = reliefSlope(west, here, east, reliefSpacingX(field));
-  real gy = reliefSlope(south, here, north, reliefSpacingY(field));
+  // Within numbers: differences of huge heights overflow.
+  real most = 1.0e30f;
+  real gx = clamp(reliefSlope(west, here, east, reliefSpacingX(field)), -most, most);
+  real gy = clamp(reliefSlope(south, here, north, reliefSpacingY(field)), -most, most);
   // Scaled by the larger slope first: the squares of a cliff's slopes would overflow.
   real scale = max(real(1.0f), max(abs(gx), abs(gy)));
   real3 n = real3(-gx / scale, -gy / scale, 1.0f / scale);
