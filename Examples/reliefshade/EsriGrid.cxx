@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EsriGrid.h"
 
+#include "RasterReader.h"
 #include "Watch.h"
 
 #include "vtkType.h"
@@ -154,7 +155,7 @@ bool isEsriGrid(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-EsriGrid readEsriGrid(const std::string& file)
+EsriGrid readEsriGrid(const std::string& file, const MemoryPlan& plan)
 {
   const std::string text = readText(file);
   Words words(text);
@@ -173,6 +174,8 @@ EsriGrid readEsriGrid(const std::string& file)
     throw std::runtime_error("the file ends early: " + std::to_string(columns) + " x " +
       std::to_string(rows) + " heights are announced");
   }
+
+  plan.Claim(columns, rows, sizeof(float), static_cast<double>(text.size()));
 
   EsriGrid grid;
   grid.Heights = vtkSmartPointer<vtkImageData>::New();

@@ -12,6 +12,8 @@
 namespace reliefshade
 {
 
+struct MemoryPlan;
+
 /// An ESRI ASCII grid: a header of keys and numbers, then heights, the northern row first.
 struct EsriGrid
 {
@@ -27,7 +29,7 @@ bool isEsriGrid(const std::string& file);
 
 /// Reads it and refuses what GDAL passes over: words that are no numbers (GDAL takes them for 0)
 /// and heights too many. Throws a std::runtime_error that names the line.
-EsriGrid readEsriGrid(const std::string& file);
+EsriGrid readEsriGrid(const std::string& file, const MemoryPlan& plan);
 
 /// Whether a file of the same name that ends in .prj says that the coordinates are degrees.
 bool hasGeographicProjection(const std::string& file);

@@ -6,6 +6,8 @@
 #include <cpl_error.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace
@@ -80,12 +82,32 @@ void readTransform(GDALDataset* dataset, GeoReference& reference)
 {
   std::array<double, 6>& t = reference.Transform;
   reference.Present = dataset->GetGeoTransform(t.data()) == CE_None;
+  if (reference.Present &&
+    !std::all_of(t.begin(), t.end(), [](double number) { return std::isfinite(number); }))
+  {
+    throw std::runtime_error("its georeference has numbers that are not finite");
+  }
   if (reference.Present && (t[2] != 0.0 || t[4] != 0.0 || t[1] <= 0.0 || t[5] == 0.0))
   {
     throw std::runtime_error(
       "its rows do not run from west to east; gdalwarp makes a raster that is north up");
   }
   reference.SouthUp = reference.Present && t[5] > 0.0;
+}
+
+//------------------------------------------------------------------------------
+double decodingBytes(GDALDataset* dataset)
+{
+  GDALRasterBand* band = dataset->GetRasterBand(1);
+  const double bytes =
+    1.0 * GDALGetDataTypeSizeBytes(band->GetRasterDataType()) * dataset->GetRasterCount();
+  int columns;
+  int rows;
+  band->GetBlockSize(&columns, &rows);
+  const double block = bytes * columns * rows;
+  const double all = bytes * dataset->GetRasterXSize() * dataset->GetRasterYSize();
+  // A block is decoded whole, then parted among the bands.
+  return 2.0 * block + std::min(all, static_cast<double>(GDALGetCacheMax64()));
 }
 
 //------------------------------------------------------------------------------

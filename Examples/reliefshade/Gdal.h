@@ -38,6 +38,10 @@ DatasetPointer openRaster(const std::string& file);
 /// Takes over where the raster lies. Throws a std::runtime_error if it is turned.
 void readTransform(GDALDataset* dataset, GeoReference& reference);
 
+/// What GDAL itself takes while it reads bands: a block of all bands as it is decoded, and its
+/// cache.
+double decodingBytes(GDALDataset* dataset);
+
 /// Empty for none.
 std::string wellKnownText(const OGRSpatialReference* crs);
 

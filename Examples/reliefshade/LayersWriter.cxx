@@ -91,6 +91,12 @@ const LayerNames& layerNames()
 }
 
 //------------------------------------------------------------------------------
+int layerComponents(const std::string& layer)
+{
+  return layer == "illumination" || layer == "thickness" ? 1 : 3;
+}
+
+//------------------------------------------------------------------------------
 void generateLayers(const LayerNames& layers, vtkImageReliefShading* shading)
 {
   for (const std::string& layer : layers)
@@ -146,7 +152,7 @@ void LayersWriter::Write(
     data->AddArray(layerArray(result, layer));
   }
   vtkNew<vtkOpenEXRLayerWriter> writer;
-  writer->SetFileName(this->File.c_str());
+  writer->SetFileName(this->File.Name().c_str());
   writer->SetInputData(image);
   writer->SetScene(shading->GetScene());
   if (reference.Present)
@@ -163,7 +169,7 @@ void LayersWriter::Write(
   stopIfInterrupted();
   if (hasError())
   {
-    throw Failure(this->File, withoutName(takeError(), this->File));
+    throw Failure(this->File.Target(), this->File.Reword(takeError()));
   }
 }
 

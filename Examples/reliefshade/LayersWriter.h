@@ -3,6 +3,7 @@
 #define LayersWriter_h
 
 #include "Raster.h"
+#include "StagedFile.h"
 
 #include <string>
 #include <vector>
@@ -18,13 +19,16 @@ using LayerNames = std::vector<std::string>;
 /// The layers that can be written, in lower case.
 const LayerNames& layerNames();
 
+/// 1 for numbers, 3 for vectors and colours.
+int layerComponents(const std::string& layer);
+
 /// Switches on what is to be written.
 void generateLayers(const LayerNames& layers, vtkImageReliefShading* shading);
 
 /// One of the result's layers as an image of its own.
 vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string& layer);
 
-/// Writes one OpenEXR file of linear colour and layers.
+/// Writes one OpenEXR file of linear colour and layers, which is to be kept when all is written.
 class LayersWriter
 {
 public:
@@ -34,12 +38,15 @@ public:
   /// Switches on what the colour is made of, where the picture itself will not hold it.
   void Prepare(vtkImageReliefShading* shading) const;
 
-  /// The file appears when it is whole. Throws a Failure.
+  /// Writes under the staged name. Throws a Failure.
   void Write(
     vtkImageReliefShading* shading, const LayerNames& layers, const GeoReference& reference) const;
 
+  /// Takes the target's name once it is kept.
+  StagedFile& GetFile() { return this->File; }
+
 private:
-  std::string File;
+  StagedFile File;
 };
 
 }

@@ -3,6 +3,7 @@
 
 #include "Failure.h"
 #include "LightOptions.h"
+#include "MemoryBudget.h"
 #include "MessageLog.h"
 #include "OptionParser.h"
 #include "RasterWriter.h"
@@ -306,6 +307,21 @@ void addRunOptions(OptionParser& parser, Options& options)
     "Threads to shade with. At least 1. Default: one for each processor. The result does not "
     "depend on it",
     [&options](const std::string& word) { options.Threads = toCount("--threads", word); });
+  const double mebibyte = 1024.0 * 1024.0;
+  options.MemoryLimit = machineMemory();
+  parser.Number("--memory-limit", "MIB",
+    "Memory that reading, shading and writing may take, in mebibytes: what needs more is refused "
+    "by the sizes in the files' headers, before any is taken. At least 0; 0 refuses nothing. "
+    "Default: the memory of the machine, " +
+      std::to_string(static_cast<long long>(options.MemoryLimit / mebibyte)),
+    [&options, mebibyte](double mebibytes)
+    {
+      if (!(mebibytes >= 0.0))
+      {
+        throw Failure("--memory-limit", "a number of at least 0 is expected", UsageFailure);
+      }
+      options.MemoryLimit = mebibytes * mebibyte;
+    });
 
   parser.SetGroup("Output");
   parser.Choice("--type",

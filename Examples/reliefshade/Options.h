@@ -51,6 +51,8 @@ struct Options
   std::string LayersFile;
 
   int Threads = 0;
+  /// In bytes; 0 for none.
+  double MemoryLimit = 0.0;
   bool Statistics = false;
   bool Quiet = false;
 };

@@ -63,12 +63,13 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> readPicture(const std::string& file)
+vtkSmartPointer<vtkImageData> readPicture(
+  const std::string& file, MemoryBudget& budget, double copies, double bytesPerPixel)
 {
   vtkNew<vtkOpenImageIOReader> reader;
   try
   {
-    updateReader(reader, file);
+    updateReader(reader, file, MemoryPlan{ budget, copies, bytesPerPixel });
   }
   catch (const std::runtime_error& error)
   {
@@ -78,7 +79,8 @@ vtkSmartPointer<vtkImageData> readPicture(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> readTexture(const std::string& file, const Raster& raster)
+vtkSmartPointer<vtkImageData> readTexture(
+  const std::string& file, const Raster& raster, MemoryBudget& budget)
 {
   Picture picture;
   try
@@ -88,9 +90,9 @@ vtkSmartPointer<vtkImageData> readTexture(const std::string& file, const Raster&
     {
       throw std::runtime_error("is a directory");
     }
-    if (!readReferencedPicture(file, picture))
+    if (!readReferencedPicture(file, budget, picture))
     {
-      picture.Image = readPicture(file);
+      picture.Image = readPicture(file, budget);
     }
     if (picture.Reference.Present && raster.Reference.Present &&
       !sameReferenceSystem(picture.Reference.Crs, raster.Reference.Crs))

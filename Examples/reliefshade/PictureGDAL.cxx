@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gdal.h"
 #include "Picture.h"
+#include "RasterReader.h"
 #include "Watch.h"
 
 #include "vtkDataArray.h"
@@ -143,7 +144,7 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-bool readReferencedPicture(const std::string& file, Picture& picture)
+bool readReferencedPicture(const std::string& file, MemoryBudget& budget, Picture& picture)
 {
   GdalErrors errors;
   const DatasetPointer dataset = openRaster(file);
@@ -165,6 +166,10 @@ bool readReferencedPicture(const std::string& file, Picture& picture)
   const GDALColorTable* palette = band->GetColorTable();
   const bool indices = palette && type == VTK_UNSIGNED_CHAR;
   const std::vector<int> bands = indices ? std::vector<int>{ 1 } : colourBands(dataset.get());
+  // The bands, alpha, and the masks of two bands at a time.
+  const double bytes = (bands.size() + 1.0) * GDALGetDataTypeSizeBytes(band->GetRasterDataType());
+  MemoryPlan{ budget, 1.0, indices ? 4.0 : 2.0 }.Claim(
+    band->GetXSize(), band->GetYSize(), bytes, decodingBytes(dataset.get()));
   const std::vector<unsigned char> mask = readMask(dataset.get(), bands);
   const int colours = static_cast<int>(bands.size());
   const int components = indices ? 4 : colours + (mask.empty() ? 0 : 1);

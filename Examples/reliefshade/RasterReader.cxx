@@ -2,6 +2,7 @@
 #include "RasterReader.h"
 
 #include "Failure.h"
+#include "MemoryBudget.h"
 #include "MessageLog.h"
 #include "Watch.h"
 
@@ -13,6 +14,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <sstream>
 
 namespace
 {
@@ -20,11 +23,12 @@ namespace
 using namespace reliefshade;
 
 //------------------------------------------------------------------------------
-void readGrey(const std::string& file, const ReadOptions& options, Raster& raster)
+void readGrey(const std::string& file, const ReadOptions& options, MemoryPlan plan, Raster& raster)
 {
   vtkNew<vtkOpenImageIOReader> reader;
   reader->AlphaAsMaskOn();
-  updateReader(reader, file);
+  plan.Copies = 2.0; // one is of the band
+  updateReader(reader, file, plan);
   vtkImageData* picture = reader->GetOutput();
   const bool masked = picture->GetPointData()->GetArray("Alpha") != nullptr;
   const int components = picture->GetNumberOfScalarComponents();
@@ -59,7 +63,16 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-Raster readRaster(const std::string& file, const ReadOptions& options)
+void MemoryPlan::Claim(double columns, double rows, double bytes, double meanwhile) const
+{
+  const double pixels = columns * rows;
+  const double kept = (this->Copies * bytes + this->PerPixel) * pixels;
+  this->Budget.Claim(kept, bytes * pixels + meanwhile);
+}
+
+//------------------------------------------------------------------------------
+Raster readRaster(
+  const std::string& file, const ReadOptions& options, MemoryBudget& budget, double bytesPerSample)
 {
   try
   {
@@ -69,9 +82,20 @@ Raster readRaster(const std::string& file, const ReadOptions& options)
     {
       throw std::runtime_error("is a directory");
     }
-    if (!readReferenced(file, options, raster))
+    const MemoryPlan plan{ budget, 1.0, bytesPerSample };
+    if (!readReferenced(file, options, plan, raster))
     {
-      readGrey(file, options, raster);
+      readGrey(file, options, plan, raster);
+    }
+    for (const double spacing : raster.Spacing)
+    {
+      if (!(spacing > 0.0) || !std::isfinite(spacing))
+      {
+        std::ostringstream text;
+        text << "its georeference sets samples " << raster.Spacing[0] << " x " << raster.Spacing[1]
+             << " m apart; numbers above 0 are expected";
+        throw std::runtime_error(text.str());
+      }
     }
     if (!options.NoDataFromFile)
     {
@@ -96,19 +120,35 @@ Raster readRaster(const std::string& file, const ReadOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void updateReader(vtkOpenImageIOReader* reader, const std::string& file)
+void updateReader(vtkOpenImageIOReader* reader, const std::string& file, const MemoryPlan& plan)
 {
+  auto run = [](const std::function<void()>& step)
+  {
+    {
+      const Silence silence;
+      step();
+    }
+    stopIfInterrupted();
+    if (hasError())
+    {
+      throw std::runtime_error(takeError());
+    }
+  };
   reader->SetFileName(file.c_str());
   watch(reader, false);
-  {
-    const Silence silence;
-    reader->Update();
-  }
-  stopIfInterrupted();
-  if (hasError())
-  {
-    throw std::runtime_error(takeError());
-  }
+  // The program's own message tells what is needed in all.
+  reader->SetMemoryLimit(0);
+  run([&] { reader->UpdateInformation(); });
+  const int* extent = reader->GetDataExtent();
+  const int type = reader->GetDataScalarType();
+  const double mask = 1.0;
+  const vtkTypeInt64 left = plan.Budget.GetLeft();
+  plan.Claim(extent[1] + 1.0, extent[3] + 1.0,
+    static_cast<double>(reader->GetNumberOfScalarComponents()) *
+        vtkDataArray::GetDataTypeSize(type) +
+      mask);
+  reader->SetMemoryLimit(left); // for tiles larger than the picture
+  run([&] { reader->Update(); });
 }
 
 //------------------------------------------------------------------------------

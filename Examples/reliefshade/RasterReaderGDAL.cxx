@@ -179,7 +179,8 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-bool readReferenced(const std::string& file, const ReadOptions& options, Raster& raster)
+bool readReferenced(
+  const std::string& file, const ReadOptions& options, const MemoryPlan& plan, Raster& raster)
 {
   GdalErrors errors;
   const DatasetPointer dataset = openRaster(file);
@@ -203,10 +204,24 @@ bool readReferenced(const std::string& file, const ReadOptions& options, Raster&
   GeoReference& reference = raster.Reference;
   readTransform(dataset.get(), reference);
 
-  raster.Heights = isEsriGrid(file) ? readEsriGrid(file).Heights
-                                    : readBand(band, sampleType(band), reference.SouthUp);
-  const int maskFlags = band->GetMaskFlags();
-  if (maskFlags & (GMF_PER_DATASET | GMF_ALPHA))
+  raster.Scale = band->GetScale();
+  raster.Offset = band->GetOffset();
+  const bool masked = (band->GetMaskFlags() & (GMF_PER_DATASET | GMF_ALPHA)) != 0;
+  MemoryPlan whole = plan;
+  whole.PerPixel +=
+    (masked ? 1.0 : 0.0) + (raster.Scale != 1.0 || raster.Offset != 0.0 ? 4.0 : 0.0);
+  if (isEsriGrid(file))
+  {
+    raster.Heights = readEsriGrid(file, whole).Heights;
+  }
+  else
+  {
+    const SampleType type = sampleType(band);
+    whole.Claim(band->GetXSize(), band->GetYSize(), GDALGetDataTypeSizeBytes(type.Gdal),
+      decodingBytes(dataset.get()));
+    raster.Heights = readBand(band, type, reference.SouthUp);
+  }
+  if (masked)
   {
     raster.Mask = readBand(band->GetMaskBand(), { GDT_Byte, VTK_UNSIGNED_CHAR }, reference.SouthUp);
   }
@@ -216,8 +231,6 @@ bool readReferenced(const std::string& file, const ReadOptions& options, Raster&
   {
     raster.NoData = noData;
   }
-  raster.Scale = band->GetScale();
-  raster.Offset = band->GetOffset();
   readReference(dataset.get(), options, raster);
   raster.HeightUnit = heightUnit(band, dataset->GetSpatialRef());
   return true;

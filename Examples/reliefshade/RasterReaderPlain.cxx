@@ -9,13 +9,14 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-bool readReferenced(const std::string& file, const ReadOptions& options, Raster& raster)
+bool readReferenced(
+  const std::string& file, const ReadOptions& options, const MemoryPlan& plan, Raster& raster)
 {
   if (!isEsriGrid(file))
   {
     return false;
   }
-  const EsriGrid grid = readEsriGrid(file);
+  const EsriGrid grid = readEsriGrid(file, plan);
   raster.Heights = grid.Heights;
   raster.NoData = grid.NoData;
   raster.Reference.Present = true;
@@ -31,7 +32,7 @@ bool readReferenced(const std::string& file, const ReadOptions& options, Raster&
 }
 
 //------------------------------------------------------------------------------
-bool readReferencedPicture(const std::string&, Picture&)
+bool readReferencedPicture(const std::string&, MemoryBudget&, Picture&)
 {
   return false;
 }

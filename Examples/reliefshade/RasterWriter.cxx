@@ -51,15 +51,14 @@ unsigned long writePicture(const std::string& file, vtkImageData* image, bool dr
 
 //------------------------------------------------------------------------------
 /// What to say about an error of the writer, in terms of this program's command line.
-std::string reason(
-  unsigned long error, const std::string& file, const std::string& written, int type)
+std::string reason(unsigned long error, const StagedFile& file, int type)
 {
-  const std::string message = withoutName(takeError(), written);
+  const std::string message = file.Reword(takeError());
   switch (error)
   {
     case vtkErrorCode::UnrecognizedFileTypeError:
       return "no format that is written has the extension '" +
-        std::filesystem::path(file).extension().string() + "'";
+        std::filesystem::path(file.Target()).extension().string() + "'";
     case vtkErrorCode::FileFormatError:
       return type == VTK_FLOAT ? "its format does not hold 32-bit float; see --type"
                                : "its format does not hold 8-bit colour; see --type";
@@ -96,17 +95,6 @@ RasterWriter::RasterWriter(
   : File(file)
   , Reference(reference)
 {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  if (fs::is_directory(file, code))
-  {
-    throw Failure(file, "is a directory");
-  }
-  const fs::path directory = fs::path(file).has_parent_path() ? fs::path(file).parent_path() : ".";
-  if (!fs::is_directory(directory, code))
-  {
-    throw Failure(file, "there is no directory " + directory.string());
-  }
 #ifdef RELIEFSHADE_USE_GDAL
   this->Referenced = reference.Present && isTiff(file);
 #endif
@@ -115,22 +103,17 @@ RasterWriter::RasterWriter(
   sample->SetDimensions(16, 16, 1);
   sample->AllocateScalars(scalarType, components);
   sample->GetPointData()->GetScalars()->Fill(0.0);
-  const fs::path name = fs::path(file).filename();
-  const std::string trial =
-    (directory / (".reliefshade-" + std::to_string(processNumber()) + name.extension().string()))
-      .string();
-  unsigned long error = writePicture(trial, sample, false);
+  unsigned long error = writePicture(this->File.Name(), sample, false);
   if (error == vtkErrorCode::FileFormatError && components == 4)
   {
     takeError();
     this->DropAlpha = true;
-    error = writePicture(trial, sample, true);
+    error = writePicture(this->File.Name(), sample, true);
   }
-  fs::remove(trial, code);
   stopIfInterrupted();
   if (error != vtkErrorCode::NoError)
   {
-    throw Failure(file, reason(error, file, trial, scalarType));
+    throw Failure(file, reason(error, this->File, scalarType));
   }
 }
 
@@ -142,7 +125,7 @@ void RasterWriter::Write(vtkImageData* image)
 #ifdef RELIEFSHADE_USE_GDAL
     try
     {
-      writeGeoTiff(this->File, image, this->Reference);
+      writeGeoTiff(this->File.Name(), image, this->Reference);
     }
     catch (const Failure&)
     {
@@ -150,16 +133,16 @@ void RasterWriter::Write(vtkImageData* image)
     }
     catch (const std::exception& error)
     {
-      throw Failure(this->File, oneLine(error.what()));
+      throw Failure(this->File.Target(), oneLine(error.what()));
     }
 #endif
     return;
   }
-  const unsigned long error = writePicture(this->File, image, this->DropAlpha);
+  const unsigned long error = writePicture(this->File.Name(), image, this->DropAlpha);
   stopIfInterrupted();
   if (error != vtkErrorCode::NoError || hasError())
   {
-    throw Failure(this->File, reason(error, this->File, this->File, image->GetScalarType()));
+    throw Failure(this->File.Target(), reason(error, this->File, image->GetScalarType()));
   }
 }
 

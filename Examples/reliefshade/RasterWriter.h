@@ -3,6 +3,7 @@
 #define RasterWriter_h
 
 #include "Raster.h"
+#include "StagedFile.h"
 
 #include <string>
 
@@ -18,8 +19,8 @@ std::string lowerExtension(const std::string& file);
 /// Radiance HDR and PFM, else VTK_UNSIGNED_CHAR, sRGB-encoded.
 int usualScalarType(const std::string& file);
 
-/// Writes one file. TIFF gets the georeference, where there is one and the program is built with
-/// GDAL; everything else is vtkOpenImageIOWriter's.
+/// Writes one file, which is to be kept when all is written. TIFF gets the georeference, where
+/// there is one and the program is built with GDAL; everything else is vtkOpenImageIOWriter's.
 class RasterWriter
 {
 public:
@@ -29,11 +30,17 @@ public:
   RasterWriter(
     const std::string& file, int scalarType, int components, const GeoReference& reference);
 
-  /// Writes the image's scalars; the file appears when it is whole. Throws a Failure.
+  /// Writes the image's scalars under the staged name. Throws a Failure.
   void Write(vtkImageData* image);
 
+  /// Takes the target's name once it is kept.
+  StagedFile& GetFile() { return this->File; }
+
+  /// Whether writing needs a copy of the colours without their alpha.
+  bool DropsAlpha() const { return this->DropAlpha; }
+
 private:
-  std::string File;
+  StagedFile File;
   const GeoReference& Reference;
   bool Referenced = false;
   /// The format has no alpha: samples without data, which are black, are not told apart.

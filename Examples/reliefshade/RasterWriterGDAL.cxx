@@ -21,61 +21,18 @@ namespace
 
 using namespace reliefshade;
 
-/// A file that is gone when its object goes, unless it has been renamed.
-class TemporaryFile
+/// What GDAL says against a file, without its staged name.
+std::runtime_error failure(const std::string& file, const std::string& otherwise)
 {
-public:
-  explicit TemporaryFile(const fs::path& target)
-    : Target(fs::is_symlink(target) ? fs::weakly_canonical(target) : target)
-    , Path(this->Target.parent_path() /
-        ("." + this->Target.filename().string() + "." + std::to_string(processNumber()) + ".tmp"))
+  std::string text = GdalErrors::Take(otherwise);
+  const std::string name = fs::path(file).filename().string() + ": ";
+  const std::size_t at = text.find(name);
+  if (at != std::string::npos)
   {
+    text.erase(0, at + name.size());
   }
-
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    fs::remove(this->Path, ignored);
-  }
-
-  TemporaryFile(const TemporaryFile&) = delete;
-  void operator=(const TemporaryFile&) = delete;
-
-  std::string Name() const { return this->Path.string(); }
-
-  /// What GDAL says against the file, without the temporary name.
-  std::runtime_error Error(const std::string& otherwise) const
-  {
-    std::string text = GdalErrors::Take(otherwise);
-    const std::string name = this->Path.filename().string() + ": ";
-    const std::size_t at = text.find(name);
-    if (at != std::string::npos)
-    {
-      text.erase(0, at + name.size());
-    }
-    return std::runtime_error("cannot be written: " + text);
-  }
-
-  /// Takes the place, and the permissions, of the target.
-  void Keep()
-  {
-    std::error_code code;
-    const fs::file_status old = fs::status(this->Target, code);
-    if (fs::exists(old))
-    {
-      fs::permissions(this->Path, old.permissions(), code);
-    }
-    fs::rename(this->Path, this->Target, code);
-    if (code)
-    {
-      throw std::runtime_error("cannot be replaced: " + code.message());
-    }
-  }
-
-private:
-  fs::path Target;
-  fs::path Path;
-};
+  return std::runtime_error("cannot be written: " + text);
+}
 
 }
 
@@ -104,14 +61,13 @@ void writeGeoTiff(const std::string& file, vtkImageData* image, const GeoReferen
   {
     create.SetNameValue("ALPHA", "NON-PREMULTIPLIED");
   }
-  TemporaryFile temporary(file);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   GDALDataset* dataset = driver
-    ? driver->Create(temporary.Name().c_str(), size[0], size[1], components, type, create.List())
+    ? driver->Create(file.c_str(), size[0], size[1], components, type, create.List())
     : nullptr;
   if (!dataset)
   {
-    throw temporary.Error("GDAL does not create it");
+    throw failure(file, "GDAL does not create it");
   }
   std::array<double, 6> transform = reference.Transform;
   dataset->SetGeoTransform(transform.data());
@@ -140,14 +96,21 @@ void writeGeoTiff(const std::string& file, vtkImageData* image, const GeoReferen
   const CPLErr error = dataset->RasterIO(GF_Write, 0, 0, size[0], size[1],
     reference.SouthUp ? first : first + (size[1] - 1) * rowSize, size[0], size[1], type, components,
     nullptr, sampleSize, reference.SouthUp ? rowSize : -rowSize, componentSize, &extra);
-  // Closing writes what is still in memory, and may fail as well: on a full disk, for example.
+  // Closing writes what is still in memory, and may fail as well: on a full disk, for example. GDAL
+  // does not always tell, so the file is looked at once more.
+  dataset->FlushCache();
   GDALClose(dataset);
   stopIfInterrupted();
   if (error != CE_None || GdalErrors::Any())
   {
-    throw temporary.Error("GDAL gives no reason");
+    throw failure(file, "GDAL gives no reason");
   }
-  temporary.Keep();
+  const DatasetPointer written(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
+  if (!written || written->GetRasterCount() != components || written->GetRasterXSize() != size[0] ||
+    written->GetRasterYSize() != size[1])
+  {
+    throw std::runtime_error("cannot be written: its end is missing, perhaps for want of space");
+  }
 }
 
 }

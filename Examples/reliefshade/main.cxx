@@ -7,11 +7,13 @@
 #include "Failure.h"
 #include "LayersWriter.h"
 #include "MapFrame.h"
+#include "MemoryBudget.h"
 #include "MessageLog.h"
 #include "Options.h"
 #include "Picture.h"
 #include "RasterReader.h"
 #include "RasterWriter.h"
+#include "StagedFile.h"
 #include "Threads.h"
 #include "Watch.h"
 
@@ -46,13 +48,13 @@ using namespace reliefshade;
 
 //------------------------------------------------------------------------------
 /// The mask of the command line; samples that the heights' own file masks out stay so.
-void addMask(const Options& options, Raster& raster)
+void addMask(const Options& options, MemoryBudget& budget, Raster& raster)
 {
   if (options.Mask.empty())
   {
     return;
   }
-  const Raster mask = readRaster(options.Mask, ReadOptions());
+  const Raster mask = readRaster(options.Mask, ReadOptions(), budget);
   int size[3];
   int expected[3];
   mask.Heights->GetDimensions(size);
@@ -95,13 +97,9 @@ public:
     }
   }
 
-  /// Writes it, if that was asked for; afterwards the scene is as it was.
-  void Save() const
+  /// Writes it; afterwards the scene is as it was.
+  void Save(const StagedFile& staged) const
   {
-    if (this->Given.SavedScene.empty())
-    {
-      return;
-    }
     vtkReliefScene* scene = this->Given.Scene;
     scene->SetHeightScale(this->HeightScale);
     auto position = this->Positions.begin();
@@ -114,11 +112,11 @@ public:
       scene->GetEnvironment()->SetFileName(this->Given.Environment.c_str());
     }
     vtkNew<vtkReliefSceneFile> file;
-    file->SetFileName(this->Given.SavedScene.c_str());
+    file->SetFileName(staged.Name().c_str());
     file->SetScene(scene);
     if (!file->Write())
     {
-      throw Failure(this->Given.SavedScene, withoutName(takeError(), this->Given.SavedScene));
+      throw Failure(staged.Target(), staged.Reword(takeError()));
     }
   }
 
@@ -139,6 +137,37 @@ int outputType(const Options& options)
 }
 
 //------------------------------------------------------------------------------
+/// What a sample takes beside its height as the file stores it.
+double bytesPerSample(const Options& options)
+{
+  // The prepared height with its bounds, and the picture.
+  const bool isFloat = outputType(options) == VTK_FLOAT;
+  double bytes = 4.0 + 1.0 + (isFloat ? 16.0 : 4.0);
+  for (const std::string& layer : options.Layers)
+  {
+    bytes += 4.0 * layerComponents(layer);
+  }
+  if (!options.LayersFile.empty() && !isFloat)
+  {
+    bytes += 4.0 * 12.0 + 16.0; // the colour's parts, and their sum
+  }
+  return bytes + (options.Tint.empty() ? 0.0 : 4.0);
+}
+
+//------------------------------------------------------------------------------
+void claim(const std::string& file, MemoryBudget& budget, double bytes)
+{
+  try
+  {
+    budget.Claim(bytes);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw Failure(file, error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string layerFile(const Options& options, const std::string& layer)
 {
   const std::filesystem::path output(options.Output);
@@ -147,16 +176,86 @@ std::string layerFile(const Options& options, const std::string& layer)
 }
 
 //------------------------------------------------------------------------------
-/// Writes each layer to a file of its own.
-void writeLayers(vtkImageData* result, const Options& options, const GeoReference& reference)
+/// The files that a run writes: all appear when all are written, or none does.
+class Outputs
 {
-  for (const std::string& layer : options.Layers)
+public:
+  /// Finds out at once whether all of them can be written. Throws a Failure.
+  Outputs(
+    const Options& options, const GeoReference& reference, vtkIdType samples, MemoryBudget& budget);
+
+  /// The file of the colour and the layers, if there is one.
+  const LayersWriter* GetLayersWriter() const { return this->Layers ? &*this->Layers : nullptr; }
+
+  void Write(vtkImageReliefShading* shading, const MapScene& scene);
+
+private:
+  const Options& Given;
+  const GeoReference& Reference;
+  std::optional<RasterWriter> Picture;
+  std::optional<LayersWriter> Layers;
+  std::vector<std::unique_ptr<RasterWriter>> LayerPictures; // as the options list them
+  std::optional<StagedFile> Scene;
+};
+
+//------------------------------------------------------------------------------
+Outputs::Outputs(
+  const Options& options, const GeoReference& reference, vtkIdType samples, MemoryBudget& budget)
+  : Given(options)
+  , Reference(reference)
+{
+  if (!options.Output.empty())
   {
-    const auto image = layerImage(result, layer);
-    RasterWriter(
-      layerFile(options, layer), VTK_FLOAT, image->GetNumberOfScalarComponents(), reference)
-      .Write(image);
+    const int type = outputType(options);
+    this->Picture.emplace(options.Output, type, 4, reference);
+    const int size = type == VTK_FLOAT ? 4 : 1;
+    claim(options.Input, budget, this->Picture->DropsAlpha() ? 3.0 * size * samples : 0.0);
   }
+  if (!options.LayersFile.empty())
+  {
+    this->Layers.emplace(options.LayersFile);
+  }
+  else
+  {
+    for (const std::string& layer : options.Layers)
+    {
+      this->LayerPictures.push_back(std::make_unique<RasterWriter>(
+        layerFile(options, layer), VTK_FLOAT, layerComponents(layer), reference));
+    }
+  }
+  if (!options.SavedScene.empty())
+  {
+    this->Scene.emplace(options.SavedScene);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Write(vtkImageReliefShading* shading, const MapScene& scene)
+{
+  vtkImageData* result = shading->GetOutput();
+  std::vector<StagedFile*> files;
+  if (this->Picture)
+  {
+    this->Picture->Write(result);
+    files.push_back(&this->Picture->GetFile());
+  }
+  if (this->Layers)
+  {
+    this->Layers->Write(shading, this->Given.Layers, this->Reference);
+    files.push_back(&this->Layers->GetFile());
+  }
+  for (std::size_t k = 0; k < this->LayerPictures.size(); ++k)
+  {
+    this->LayerPictures[k]->Write(layerImage(result, this->Given.Layers[k]));
+    files.push_back(&this->LayerPictures[k]->GetFile());
+  }
+  if (this->Scene)
+  {
+    scene.Save(*this->Scene);
+    files.push_back(&*this->Scene);
+  }
+  stopIfInterrupted();
+  StagedFile::KeepAll(files);
 }
 
 //------------------------------------------------------------------------------
@@ -190,11 +289,14 @@ void printStatistics(
 
 //------------------------------------------------------------------------------
 /// Reads the pictures that give colour and light.
-void readPictures(const Options& options, const Raster& raster, vtkImageReliefShading* shading)
+void readPictures(const Options& options, const Raster& raster, MemoryBudget& budget,
+  vtkImageReliefShading* shading)
 {
   if (!options.Environment.empty())
   {
-    vtkSmartPointer<vtkImageData> image = readPicture(options.Environment);
+    // Beside the picture, its mirror image and three linear floats a texel.
+    vtkSmartPointer<vtkImageData> image =
+      readPicture(options.Environment, budget, options.MirrorEnvironment ? 2 : 1, 12);
     if (options.MirrorEnvironment)
     {
       vtkNew<vtkImageFlip> mirror;
@@ -207,15 +309,15 @@ void readPictures(const Options& options, const Raster& raster, vtkImageReliefSh
   }
   if (!options.DiffuseTexture.empty())
   {
-    shading->SetDiffuseTextureData(readTexture(options.DiffuseTexture, raster));
+    shading->SetDiffuseTextureData(readTexture(options.DiffuseTexture, raster, budget));
   }
   if (!options.BaseTexture.empty())
   {
-    shading->SetBaseTextureData(readTexture(options.BaseTexture, raster));
+    shading->SetBaseTextureData(readTexture(options.BaseTexture, raster, budget));
   }
   if (!options.SpecularTexture.empty())
   {
-    shading->SetSpecularTextureData(readTexture(options.SpecularTexture, raster));
+    shading->SetSpecularTextureData(readTexture(options.SpecularTexture, raster, budget));
   }
   if (!options.Tint.empty())
   {
@@ -256,8 +358,9 @@ void printWarnings(const Options& options)
 //------------------------------------------------------------------------------
 void run(const Options& options)
 {
-  Raster raster = readRaster(options.Input, options.Reading);
-  addMask(options, raster);
+  MemoryBudget budget(options.MemoryLimit);
+  Raster raster = readRaster(options.Input, options.Reading, budget, bytesPerSample(options));
+  addMask(options, budget, raster);
   if (options.Spacing)
   {
     raster.Spacing = *options.Spacing;
@@ -273,29 +376,19 @@ void run(const Options& options)
   const MapScene mapScene(options);
   MapFrame(raster).ToHeights(options.Scene);
 
-  const int type = outputType(options);
-  std::optional<RasterWriter> writer;
-  if (!options.Output.empty())
-  {
-    writer.emplace(options.Output, type, 4, raster.Reference);
-  }
-  std::optional<LayersWriter> layersWriter;
-  if (!options.LayersFile.empty())
-  {
-    layersWriter.emplace(options.LayersFile);
-  }
+  Outputs outputs(options, raster.Reference, raster.Heights->GetNumberOfPoints(), budget);
 
   setThreads(options.Threads);
   vtkNew<vtkImageReliefShading> shading;
   setHeights(raster, shading);
   shading->SetScene(options.Scene);
   shading->SetCacheMemoryLimit(0); // there is one update only
-  shading->SetOutputScalarType(type);
-  readPictures(options, raster, shading);
+  shading->SetOutputScalarType(outputType(options));
+  readPictures(options, raster, budget, shading);
   generateLayers(options.Layers, shading);
-  if (layersWriter)
+  if (outputs.GetLayersWriter())
   {
-    layersWriter->Prepare(shading);
+    outputs.GetLayersWriter()->Prepare(shading);
   }
   watch(shading, terminal() && !options.Quiet);
   const auto start = std::chrono::steady_clock::now();
@@ -309,20 +402,7 @@ void run(const Options& options)
   }
 
   printWarnings(options);
-
-  if (writer)
-  {
-    writer->Write(shading->GetOutput());
-  }
-  if (layersWriter)
-  {
-    layersWriter->Write(shading, options.Layers, raster.Reference);
-  }
-  else
-  {
-    writeLayers(shading->GetOutput(), options, raster.Reference);
-  }
-  mapScene.Save();
+  outputs.Write(shading, mapScene);
   printWarnings(options);
   if (options.Statistics)
   {

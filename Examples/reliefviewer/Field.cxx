@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Field.h"
 
+#include "MemoryBudget.h"
+
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
@@ -85,7 +87,8 @@ double Field::FittingScale() const
 //------------------------------------------------------------------------------
 Field readField(const std::string& file, const reliefshade::ReadOptions& options)
 {
-  return makeField(reliefshade::readRaster(file, options));
+  reliefshade::MemoryBudget budget(reliefshade::machineMemory());
+  return makeField(reliefshade::readRaster(file, options, budget));
 }
 
 //------------------------------------------------------------------------------

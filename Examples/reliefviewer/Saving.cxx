@@ -67,19 +67,21 @@ void savePicture(
   shading->SetOutputScalarType(type);
   shade(file, shading, field, scene, progress);
   writer.Write(shading->GetOutput());
+  reliefshade::StagedFile::KeepAll({ &writer.GetFile() });
 }
 
 //------------------------------------------------------------------------------
 void saveLayers(
   const std::string& file, const Field& field, vtkReliefScene* scene, const Progress& progress)
 {
-  const reliefshade::LayersWriter writer(file);
+  reliefshade::LayersWriter writer(file);
   vtkNew<vtkImageReliefShading> shading;
   shading->SetOutputScalarTypeToFloat();
   reliefshade::generateLayers(reliefshade::layerNames(), shading);
   writer.Prepare(shading);
   shade(file, shading, field, scene, progress);
   writer.Write(shading, reliefshade::layerNames(), field.Heights.Reference);
+  reliefshade::StagedFile::KeepAll({ &writer.GetFile() });
 }
 
 }

@@ -14,7 +14,7 @@ from Reliefshade import JACKSBORO, PROGRAM, Case, Picture, needsGdal, needsGdalT
 OPTIONS = """
     --attenuation --band --base --base-texture --degrees --density --depth --diffuse --env
     --env-intensity --env-mirror --env-rotation --env-samples --env-sampling --env-tilt --floor
-    --height-scale --help --integrator --kf --ks --layers --mask --nodata --offset --point
+    --height-scale --help --integrator --kf --ks --layers --mask --memory-limit --nodata --offset --point
     --preset --quiet --save-scene --scatter-power --scatter-range --scene --spacing --specular
     --specular-power --specular-range --specular-texture --statistics --steps --sun --sun-diameter
     --texture --threads --tint --tolerance --type --version
