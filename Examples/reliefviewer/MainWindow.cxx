@@ -102,7 +102,13 @@ MainWindow::MainWindow()
 }
 
 //------------------------------------------------------------------------------
-MainWindow::~MainWindow() = default;
+// What goes after this must not call what is gone already.
+MainWindow::~MainWindow()
+{
+  this->Shown->disconnect(this);
+  this->Shown->Steps()->disconnect(this);
+  this->Picture->disconnect(this);
+}
 
 //------------------------------------------------------------------------------
 /// Does what may fail; tells the user why it did.

@@ -219,7 +219,7 @@ void TestViewerSaving::cancelled()
   InDialog<QProgressDialog>(
     [&progressed](QProgressDialog* dialog)
     {
-      progressed = QTest::qWaitFor([dialog] { return dialog->value() > 0; }) &&
+      progressed = QTest::qWaitFor([dialog] { return dialog->value() > 0; }, 60000) &&
         dialog->labelText().contains("slow.png");
       QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
     });
