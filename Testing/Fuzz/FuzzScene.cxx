@@ -80,12 +80,9 @@ bool Prepare(FuzzInput& input, HeightField& field, std::vector<T>& values)
 
 glm::dvec3 Color(FuzzInput& input)
 {
-  glm::dvec3 color;
-  for (int k = 0; k < 3; ++k)
-  {
-    color[k] = std::abs(input.Bounded(1e6));
-  }
-  return color;
+  const double r = std::abs(input.Bounded(1e6));
+  const double g = std::abs(input.Bounded(1e6));
+  return { r, g, std::abs(input.Bounded(1e6)) };
 }
 
 relief::f64::ReliefFalloff Falloff(FuzzInput& input)
@@ -116,10 +113,9 @@ relief::Light MakeLight(FuzzInput& input)
 {
   relief::Light light;
   light.positional = input.Flag();
-  for (int k = 0; k < 3; ++k)
-  {
-    light.vector[k] = input.Bounded(5e14);
-  }
+  const double x = input.Bounded(5e14);
+  const double y = input.Bounded(5e14);
+  light.vector = { x, y, input.Bounded(5e14) };
   const double length = std::sqrt(light.vector.x * light.vector.x +
     light.vector.y * light.vector.y + light.vector.z * light.vector.z);
   if (!light.positional)
