@@ -28,6 +28,20 @@ struct Range
   }
 };
 
+// Empty, or what is wrong: the differences of differences of heights must be numbers too.
+std::string CheckRelief(const Range& range)
+{
+  constexpr double most = std::numeric_limits<float>::max() / 16.0;
+  if (!(range.hi - range.lo > most))
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message << "heights reach from " << range.lo << " to " << range.hi << ", a relief of at most "
+          << most << " is expected; a value that means no data is told by the nodata value";
+  return message.str();
+}
+
 // Turns a caller's rows into heights.
 template <class T>
 class RowReader
@@ -178,6 +192,11 @@ std::string HeightField::Assign(
         });
       if (inPlace)
       {
+        const std::string wrong = CheckRelief(range);
+        if (!wrong.empty())
+        {
+          return wrong;
+        }
         this->Copy = std::vector<float>();
         this->Datum = 0.0;
         this->Bottom = static_cast<float>(range.lo);
@@ -245,6 +264,11 @@ std::string HeightField::Assign(
       message << "heights reach from " << exact.lo << " to " << exact.hi
               << ", numbers within single precision (3.4e38) are expected";
       return message.str();
+    }
+    const std::string wrong = CheckRelief(range);
+    if (!wrong.empty())
+    {
+      return wrong;
     }
     this->Bottom = static_cast<float>(range.lo);
     this->Top = static_cast<float>(range.hi);

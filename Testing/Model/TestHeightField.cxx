@@ -85,7 +85,8 @@ TYPED_TEST(HeightFieldOf, ScaleAndNoData)
   }
 }
 
-// The ends of each type's range are heights as any other.
+// The ends of each integer type's range are heights as any other. From one end of float to the
+// other is further than float can tell.
 TYPED_TEST(HeightFieldOf, Limits)
 {
   using T = TypeParam;
@@ -95,9 +96,19 @@ TYPED_TEST(HeightFieldOf, Limits)
   }
   std::vector<T> values = { std::numeric_limits<T>::lowest(), std::numeric_limits<T>::max() };
   HeightField field;
-  EXPECT_EQ(field.Assign(SourceOf(values, 2), InParts), "");
-  EXPECT_EQ(At(field, 0, 0), static_cast<float>(values[0]));
-  EXPECT_EQ(At(field, 1, 0), static_cast<float>(values[1]));
+  if (std::is_same_v<T, float>)
+  {
+    const std::string message = field.Assign(SourceOf(values, 2), InParts);
+    EXPECT_NE(message.find("from -3.40282e+38 to 3.40282e+38, a relief of at most 2.12676e+37"),
+      std::string::npos)
+      << message;
+  }
+  else
+  {
+    EXPECT_EQ(field.Assign(SourceOf(values, 2), InParts), "");
+    EXPECT_EQ(At(field, 0, 0), static_cast<float>(values[0]));
+    EXPECT_EQ(At(field, 1, 0), static_cast<float>(values[1]));
+  }
 
   // The greatest value as no data, as many files have it.
   HeightSource<T> source = SourceOf(values, 2);
@@ -123,7 +134,7 @@ TEST(HeightField, NoDataOutsideTheTypeIsNoHeight)
       EXPECT_EQ(At(field, k % 2, k / 2), bytes[k]) << noData;
     }
   }
-  std::vector<float> singles = { 0.0f, 1.0f, std::numeric_limits<float>::max() / 2.0f, 2.0f };
+  std::vector<float> singles = { 0.0f, 1.0f, std::numeric_limits<float>::max() / 32.0f, 2.0f };
   HeightSource<float> source = SourceOf(singles, 2);
   source.hasNoData = true;
   source.noData = 1e300;
@@ -135,7 +146,7 @@ TEST(HeightField, NoDataOutsideTheTypeIsNoHeight)
 // Values are compared in their own type: a file's text rarely has all digits of a float.
 TEST(HeightField, NoDataIsComparedInTheSamplesType)
 {
-  std::vector<float> values = { 0.1f, 1.0f, -std::numeric_limits<float>::max(), 2.0f };
+  std::vector<float> values = { 0.1f, 1.0f, -9999.0f, 2.0f };
   HeightSource<float> source = SourceOf(values, 2);
   source.hasNoData = true;
   source.noData = 0.1;
@@ -143,6 +154,7 @@ TEST(HeightField, NoDataIsComparedInTheSamplesType)
   EXPECT_EQ(field.Assign(source, InParts), "");
   EXPECT_TRUE(std::isnan(At(field, 0, 0)));
   // The lowest float as 15 digits have it, which is a little lower.
+  values[2] = std::numeric_limits<float>::lowest();
   source.noData = -3.40282346638529e+38;
   EXPECT_EQ(field.Assign(source, InParts), "");
   EXPECT_TRUE(std::isnan(At(field, 0, 1)));
