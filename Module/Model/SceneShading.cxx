@@ -22,11 +22,12 @@ f32::ReliefFalloff ToSingle(const f64::ReliefFalloff& falloff)
 
 // Adds a colour times a number to all samples of a tile, also those without data, where any number
 // may stand.
-void AddTo(glm::vec3* sums, const float* factors, const glm::vec3& color)
+void AddTo(glm::dvec3* sums, const float* factors, const glm::vec3& color)
 {
+  const glm::dvec3 wide(color);
   for (int at = 0; at < SceneTile::Size; ++at)
   {
-    sums[at] += factors[at] * color;
+    sums[at] += static_cast<double>(factors[at]) * wide;
   }
 }
 
@@ -89,6 +90,7 @@ SceneShading::SceneShading(
   bool first = true;
   bool anyTrace = false;
   std::size_t cached = 0;
+  std::size_t sweeps = 0; // bytes
   for (const LightPlan& light : effects.lights)
   {
     Plan plan;
@@ -110,7 +112,12 @@ SceneShading::SceneShading(
     if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact &&
       field.GetMissingRow() && SweepThickness::Applies(scene.medium, plan.light))
     {
-      plan.sweep = std::make_unique<SweepThickness>(field, plan.medium, plan.light);
+      // A sun's list of crossings is as long as the image. What no more room is for is traced by
+      // packets, which need no list.
+      plan.sweep = sweeps < MostSweepMemory
+        ? std::make_unique<SweepThickness>(field, plan.medium, plan.light)
+        : nullptr;
+      sweeps += plan.sweep ? plan.sweep->GetMemorySize() : 0;
     }
     first = false;
     this->Plans.push_back(std::move(plan));
@@ -217,10 +224,10 @@ void SceneShading::ShadeTile(SceneTile& tile)
     });
   const bool hasScatter = this->HasScatter;
   const bool hasSpecular = (this->Effects & SpecularEffect) != 0;
-  std::fill_n(tile.diffuse, SceneTile::Size, glm::vec3(0.0f));
-  std::fill_n(tile.scatter, hasScatter ? SceneTile::Size : 0, glm::vec3(0.0f));
-  std::fill_n(tile.specular, hasSpecular ? SceneTile::Size : 0, glm::vec3(0.0f));
-  std::fill_n(tile.illumination, this->Out.illumination ? SceneTile::Size : 0, 0.0f);
+  std::fill_n(tile.diffuse, SceneTile::Size, glm::dvec3(0.0));
+  std::fill_n(tile.scatter, hasScatter ? SceneTile::Size : 0, glm::dvec3(0.0));
+  std::fill_n(tile.specular, hasSpecular ? SceneTile::Size : 0, glm::dvec3(0.0));
+  std::fill_n(tile.illumination, this->Out.illumination ? SceneTile::Size : 0, 0.0);
   std::fill_n(tile.thickness, this->Out.thickness ? SceneTile::Size : 0, 0.0f);
   if (this->HasNormals)
   {
@@ -329,8 +336,7 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
         if (tile.hasData[at])
         {
           f32::reliefRay(this->Heights, this->Medium, i, j, tile.normals[at],
-            LightFrom<float>(plan.light, i * heights.spacingX, j * heights.spacingY), true,
-            tile.toLight[at]);
+            LightFrom<float>(plan.light, heights, i, j), true, tile.toLight[at]);
           tile.scatterFactor[at] =
             hasScatter ? f32::reliefForwardScatter(this->ScatterFalloff, tile.toLight[at]) : 0.0f;
         }
@@ -362,7 +368,8 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
   }
   if (this->Out.illumination)
   {
-    tile.ForEach([&](int, int, int at) { tile.illumination[at] += plan.share * tile.d[at]; });
+    tile.ForEach(
+      [&](int, int, int at) { tile.illumination[at] += double(plan.share) * tile.d[at]; });
   }
   if (!plan.shows)
   {
@@ -380,8 +387,8 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
     tile.ForEach(
       [&](int, int, int at)
       {
-        tile.scatter[at] += f32::reliefScatterTerm(
-          ks, kf, tile.scatterFactor[at], tile.d[at], plan.radiance, diffuse);
+        tile.scatter[at] += glm::dvec3(f32::reliefScatterTerm(
+          ks, kf, tile.scatterFactor[at], tile.d[at], plan.radiance, diffuse));
       });
   }
   if (hasSpecular)
@@ -394,7 +401,7 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
         if (!f32::reliefFalloffIsZero(this->SpecularFalloff, mirror))
         {
           const float s = f32::reliefFalloff(this->SpecularFalloff, mirror);
-          tile.specular[at] += f32::reliefSpecularTerm(ks, s, plan.radiance, specular);
+          tile.specular[at] += glm::dvec3(f32::reliefSpecularTerm(ks, s, plan.radiance, specular));
         }
       });
   }
@@ -415,8 +422,8 @@ void SceneShading::ApplyTextures(SceneTile& tile)
       }
     }
   };
-  auto multiply = [&](glm::vec3* sums)
-  { tile.ForEachAsked([&](int, int, int at) { sums[at] *= tile.color[at]; }); };
+  auto multiply = [&](glm::dvec3* sums)
+  { tile.ForEachAsked([&](int, int, int at) { sums[at] *= glm::dvec3(tile.color[at]); }); };
 
   if (this->Effects & BaseTextureEffect)
   {
@@ -458,14 +465,15 @@ void SceneShading::Write(const SceneTile& tile)
   tile.ForEachAsked(
     [&](int i, int j, int at)
     {
-      glm::vec3 color = (bases ? bases[at] : base) + tile.diffuse[at];
+      // Of the layers as they are written, so that those add up to it.
+      glm::vec3 color = (bases ? bases[at] : base) + glm::vec3(tile.diffuse[at]);
       if (hasScatter)
       {
-        color += tile.scatter[at];
+        color += glm::vec3(tile.scatter[at]);
       }
       if (hasSpecular)
       {
-        color += tile.specular[at];
+        color += glm::vec3(tile.specular[at]);
       }
       const bool hasData = tile.hasData[at] != 0;
       if (out.rgba)
@@ -486,23 +494,27 @@ void SceneShading::Write(const SceneTile& tile)
       }
     });
 
-  const float scale = this->ShareSum != 0.0f ? 1.0f / this->ShareSum : 0.0f;
-  auto writeNumbers = [&](float* layer, const float* values, float factor)
+  const double scale = this->ShareSum != 0.0 ? 1.0 / this->ShareSum : 0.0;
+  auto writeNumbers = [&](float* layer, const auto* values, auto factor)
   {
     if (layer)
     {
-      tile.ForEachAsked([&](int i, int j, int at)
-        { layer[place(i, j)] = tile.hasData[at] ? values[at] * factor : none; });
+      tile.ForEachAsked(
+        [&](int i, int j, int at) {
+          layer[place(i, j)] = tile.hasData[at] ? static_cast<float>(values[at] * factor) : none;
+        });
     }
   };
-  auto writeVectors = [&](float* layer, const glm::vec3* values, const glm::vec3& otherwise)
+  auto writeVectors = [&](float* layer, const auto* values, const glm::vec3& otherwise)
   {
     if (layer)
     {
       tile.ForEachAsked(
         [&](int i, int j, int at)
         {
-          const glm::vec3 value = !tile.hasData[at] ? missing : values ? values[at] : otherwise;
+          const glm::vec3 value = !tile.hasData[at] ? missing
+            : values                                ? glm::vec3(values[at])
+                                                    : otherwise;
           std::copy_n(&value.x, 3, layer + 3 * place(i, j));
         });
     }
@@ -512,8 +524,9 @@ void SceneShading::Write(const SceneTile& tile)
   writeVectors(out.normals, tile.normals, missing);
   writeVectors(out.base, bases, base);
   writeVectors(out.diffuse, tile.diffuse, missing);
-  writeVectors(out.scatter, hasScatter ? tile.scatter : nullptr, glm::vec3(0.0f));
-  writeVectors(out.specular, hasSpecular ? tile.specular : nullptr, glm::vec3(0.0f));
+  const glm::dvec3* none3 = nullptr;
+  writeVectors(out.scatter, hasScatter ? tile.scatter : none3, glm::vec3(0.0f));
+  writeVectors(out.specular, hasSpecular ? tile.specular : none3, glm::vec3(0.0f));
 }
 
 int SceneShading::GetLightsReused() const

@@ -72,6 +72,9 @@ public:
   int GetEffects() const { return this->Effects; }
   ///@}
 
+  /// What the lists of crossings may take, in bytes, and one more list (SweepThickness).
+  static constexpr std::size_t MostSweepMemory = std::size_t{ 256 } << 20;
+
 private:
   // A light, and how it is traced here.
   struct Plan : LightPlan
@@ -105,7 +108,7 @@ private:
   std::vector<Plan> Plans;
   std::unique_ptr<std::atomic<std::uint64_t>[]> Rays; // per light
   std::atomic<std::uint64_t> Cells{ 0 };
-  float ShareSum = 0.0f;
+  double ShareSum = 0.0;
   bool HasScatter = false;
   bool HasNormals = false;
   int Effects = 0;

@@ -29,12 +29,13 @@ struct SceneTile
   float scatterFactor[Size];
   float d[Size];
   float r[Size];
-  glm::vec3 diffuse[Size];
-  glm::vec3 scatter[Size];
-  glm::vec3 specular[Size];
+  // Sums over the lights, which may be a million: in float, small ones would be lost in them.
+  glm::dvec3 diffuse[Size];
+  glm::dvec3 scatter[Size];
+  glm::dvec3 specular[Size];
+  double illumination[Size];
   glm::vec3 base[Size];  // where it is textured
   glm::vec3 color[Size]; // that a texture gives
-  float illumination[Size];
   float thickness[Size];
 
   /// The place of a sample in the arrays.
