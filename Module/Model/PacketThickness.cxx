@@ -25,6 +25,7 @@ struct Samples
 {
   HWY_ALIGN float lightX[MaxLanes];
   HWY_ALIGN float lightY[MaxLanes];
+  HWY_ALIGN float lightZ[MaxLanes];
   HWY_ALIGN float normalX[MaxLanes];
   HWY_ALIGN float normalY[MaxLanes];
   HWY_ALIGN float normalZ[MaxLanes];
@@ -52,13 +53,13 @@ void SetUpRays(const Field<float>& field, const f32::ReliefMedium& medium, const
 
   Vector lx = hn::Load(tag, samples.lightX);
   Vector ly = hn::Load(tag, samples.lightY);
-  Vector dz = hn::Set(tag, static_cast<float>(light.vector.z));
+  Vector dz = hn::Load(tag, samples.lightZ);
   Vector to = hn::Set(tag, Infinity);
   if (light.positional)
   {
     lx = hn::Add(lx, offsetX);
     ly = hn::Add(ly, offsetY);
-    dz = hn::Add(hn::Sub(dz, base), sink);
+    dz = hn::Add(dz, sink);
     const Vector scale = hn::Max(hn::Abs(lx), hn::Max(hn::Abs(ly), hn::Abs(dz)));
     const Vector partX = hn::Div(lx, scale);
     const Vector partY = hn::Div(ly, scale);
@@ -72,6 +73,9 @@ void SetUpRays(const Field<float>& field, const f32::ReliefMedium& medium, const
     ly = hn::IfThenElseZero(apart, hn::Mul(partY, perSize));
     dz = hn::IfThenElse(apart, hn::Mul(partZ, perSize), one);
   }
+  // As reliefTrace() ends a ray before its light.
+  const Vector before = hn::Set(tag, 2.0f * f32::RELIEF_ROUNDING);
+  to = light.positional ? hn::NegMulAdd(before, to, to) : to;
   // As the model takes directions along an axis.
   const Vector tiny = hn::Set(tag, 1.0e-12f);
   const Vector dx = hn::IfThenZeroElse(hn::Lt(hn::Abs(lx), tiny), hn::Mul(lx, perX));
@@ -139,11 +143,11 @@ HWY_INLINE float StartHeight(const Field<float>& field, int i, int j, const Pack
   const float h10 = heights.At(ci + 1, cj) - base;
   const float h01 = heights.At(ci, cj + 1) - base;
   const float h11 = heights.At(ci + 1, cj + 1) - base;
-  const float u = packet.x[k] - packet.cellX[k];
-  const float v = packet.y[k] - packet.cellY[k];
-  const float south = h00 + (h10 - h00) * u;
-  const float north = h01 + (h11 - h01) * u;
-  const float height = south + (north - south) * v;
+  const float west = packet.cellX[k] + 1.0f - packet.x[k];
+  const float east = packet.x[k] - packet.cellX[k];
+  const float south = packet.cellY[k] + 1.0f - packet.y[k];
+  const float north = packet.y[k] - packet.cellY[k];
+  const float height = south * (west * h00 + east * h10) + north * (west * h01 + east * h11);
   if (!std::isnan(height))
   {
     return height;
@@ -209,8 +213,10 @@ void TracePackets(const Field<float>& field, const f32::ReliefMedium& medium, co
       packet.ground[k] = 0.0f;
       const double shiftX = light.positional ? (begin + k) * heights.spacingX : 0.0;
       const double shiftY = light.positional ? j * heights.spacingY : 0.0;
+      const double shiftZ = light.positional ? packet.base[k] : 0.0;
       samples.lightX[k] = static_cast<float>(light.vector.x - shiftX);
       samples.lightY[k] = static_cast<float>(light.vector.y - shiftY);
+      samples.lightZ[k] = static_cast<float>(light.vector.z - shiftZ);
     }
     for (int k = 0; alongNormal && k < lanes; ++k)
     {
@@ -226,8 +232,7 @@ void TracePackets(const Field<float>& field, const f32::ReliefMedium& medium, co
     {
       n = alongNormal ? request.normals[first + k] : glm::vec3(0.0f, 0.0f, 1.0f);
       return f32::reliefRay(field, medium, begin + k, j, n,
-        LightFrom<float>(light, (begin + k) * heights.spacingX, j * heights.spacingY),
-        light.positional, l);
+        LightFrom<float>(light, heights, begin + k, j), light.positional, l);
     };
     HWY_ALIGN std::int32_t asked[MaxLanes];
     bool anyTogether = false;

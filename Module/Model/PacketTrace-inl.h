@@ -20,7 +20,6 @@ namespace relief
 namespace HWY_NAMESPACE
 {
 
-using IntTag = hn::RebindToSigned<Tag>;
 using Ints = hn::Vec<IntTag>;
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
@@ -153,16 +152,17 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
   const Mask south = hn::Lt(dy, zero);
   const Mask alongY = hn::Eq(dx, zero);
   const Mask alongX = hn::Eq(dy, zero);
-  // A ray along a grid line never crosses it: times 0 plus infinity.
+  // A ray along a grid line never crosses it: times 0 plus infinity. The start is multiplied apart:
+  // a start close to a line, added to whole cells, would lose its distance from it.
   const Vector inverseX = hn::IfThenZeroElse(alongY, hn::Div(one, dx));
   const Vector inverseY = hn::IfThenZeroElse(alongX, hn::Div(one, dy));
-  const Vector neverX = hn::IfThenElseZero(alongY, infinite);
-  const Vector neverY = hn::IfThenElseZero(alongX, infinite);
+  const Vector startX = hn::IfThenElse(alongY, infinite, hn::Neg(hn::Mul(x, inverseX)));
+  const Vector startY = hn::IfThenElse(alongX, infinite, hn::Neg(hn::Mul(y, inverseY)));
   const Vector perCell = hn::Div(one, hn::Max(hn::Abs(dx), hn::Abs(dy)));
-  const Vector bend = hn::Mul(dx, dy);
-  // From the start to the line ahead of the cell 0.
-  const Vector aheadX = hn::Sub(hn::IfThenZeroElse(west, one), x);
-  const Vector aheadY = hn::Sub(hn::IfThenZeroElse(south, one), y);
+  const Vector acrossX = hn::Abs(dx);
+  const Vector acrossY = hn::Abs(dy);
+  const Vector aheadX = hn::IfThenZeroElse(west, one); // from a cell to the line ahead of it
+  const Vector aheadY = hn::IfThenZeroElse(south, one);
   const Vector stepX = hn::IfThenElse(west, hn::Set(tag, -1.0f), one);
   const Vector stepY = hn::IfThenElse(south, hn::Set(tag, -1.0f), one);
 
@@ -212,6 +212,11 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
     (hn::AllTrue(tag, south) || hn::AllFalse(tag, south));
   const int eastward = hn::AllFalse(tag, west) ? 1 : 0;
   const int northward = hn::AllFalse(tag, south) ? 1 : 0;
+
+  // The margin of reliefAbove(), and more than it anywhere on the ray.
+  const Vector rounding = hn::Set(tag, f32::RELIEF_ROUNDING);
+  auto marginAt = [&](Vector rise) { return hn::Mul(rounding, hn::Add(hn::Abs(rise), sink)); };
+  const Vector widest = marginAt(hn::IfThenZeroElse(hn::Eq(dz, zero), hn::Mul(to, dz)));
 
   const int stepsBetweenLooks = 6;
   int untilLook = 0;  // steps to the next look for something to skip
@@ -303,8 +308,8 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
     count.cells += hn::CountTrue(tag, active);
 
     // Where the ray leaves its cell.
-    const Vector exitX = hn::MulAdd(hn::Add(cellX, aheadX), inverseX, neverX);
-    const Vector exitY = hn::MulAdd(hn::Add(cellY, aheadY), inverseY, neverY);
+    const Vector exitX = hn::MulAdd(hn::Add(cellX, aheadX), inverseX, startX);
+    const Vector exitY = hn::MulAdd(hn::Add(cellY, aheadY), inverseY, startY);
     const Mask throughX = hn::Le(exitX, exitY);
     const Vector s1 = hn::Max(hn::Min(exitX, exitY), s);
     const Vector length = hn::Sub(s1, s);
@@ -341,8 +346,8 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
       next = hn::MulAdd(hn::Sub(second, first), share, hn::Sub(first, base));
       const Vector a = above;
       const Vector b = hn::Sub(next, hn::Sub(hn::Mul(s1, dz), sink));
-      const Vector bow =
-        hn::Mul(hn::Set(tag, 0.25f * twist), hn::Mul(hn::Abs(bend), hn::Mul(length, length)));
+      const Vector bow = hn::MulAdd(hn::Set(tag, 0.25f * twist),
+        hn::Mul(hn::Mul(acrossX, length), hn::Mul(acrossY, length)), widest);
       const Mask in = hn::Gt(hn::Min(a, b), bow);
       const Mask out = hn::Lt(hn::Add(hn::Max(a, b), bow), zero);
       if (hn::AllFalse(tag, hn::AndNot(hn::Or(in, out), active)))
@@ -375,14 +380,15 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
       const Vector h01 = hn::Sub(reader.Corner(tag, 0, 1), base);
       const Vector h11 = hn::Sub(reader.Corner(tag, 1, 1), base);
       const Vector ownTwist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
-      const Mask hole = hn::IsNaN(ownTwist);
+      // A cell of which a ray only touches a corner does not end a hole.
+      const Mask touched =
+        hn::AndNot(onSurface, hn::Le(length, hn::Mul(s1, hn::Set(tag, f32::RELIEF_TOUCH))));
+      const Mask hole = resumed ? hn::IsNaN(ownTwist) : hn::Or(hn::IsNaN(ownTwist), touched);
       const Vector first =
         hn::IfThenElse(throughX, hn::IfThenElse(west, h00, h10), hn::IfThenElse(south, h00, h01));
       const Vector second =
         hn::IfThenElse(throughX, hn::IfThenElse(west, h01, h11), hn::IfThenElse(south, h10, h11));
 
-      const Vector entered = ground;
-      const Mask held = resumed ? none : hn::Not(onSurface);
       // A ray that comes out of a hole or from a skipped stretch meets the patch where it is.
       if (!hn::AllFalse(tag, hn::AndNot(onSurface, active)))
       {
@@ -398,8 +404,10 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
 
       Vector begin = s;
       Vector end = s1;
-      Vector a = hn::Sub(ground, hn::Sub(hn::Mul(s, dz), sink));
-      Vector b = hn::Sub(next, hn::Sub(hn::Mul(s1, dz), sink));
+      const Vector rise0 = hn::Mul(s, dz);
+      const Vector rise1 = hn::Mul(s1, dz);
+      Vector a = hn::Sub(ground, hn::Sub(rise0, sink));
+      Vector b = hn::Sub(next, hn::Sub(rise1, sink));
       above = b;
       Vector c = hn::IfThenZeroElse(
         hole, hn::Mul(ownTwist, hn::Mul(hn::Mul(dx, length), hn::Mul(dy, length))));
@@ -419,14 +427,13 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
         b = hn::IfThenElse(clipped, b0, b);
         c = hn::IfThenElse(clipped, hn::Mul(c, hn::Mul(span, span)), c);
       }
-      // A cell of which a ray only touches a corner does not end a hole.
-      const Mask touches =
-        hn::And(held, hn::Le(length, hn::Mul(s1, hn::Set(tag, f32::RELIEF_TOUCH))));
-      next = hn::IfThenElse(touches, entered, next);
-      onSurface = hn::Not(hn::Or(touches, hole));
+      onSurface = hn::Not(hole);
       allOnSurface = hn::AllFalse(tag, hn::AndNot(onSurface, active));
       resumed = false;
-      const Vector part = hn::Mul(hn::Sub(end, begin), InsideShare(tag, a, b, c));
+      const Vector scale = Normalizer(tag, hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c))));
+      const Vector share = InsideShare(tag, hn::Mul(a, scale), hn::Mul(b, scale), hn::Mul(c, scale),
+        hn::Mul(marginAt(hn::Mul(begin, dz)), scale), hn::Mul(marginAt(hn::Mul(end, dz)), scale));
+      const Vector part = hn::Mul(hn::Sub(end, begin), share);
       thickness = hn::Add(thickness, hn::IfThenElseZero(active, part));
     }
 

@@ -7,7 +7,10 @@ namespace relief
 f32::ReliefMedium ToSingle(const f64::ReliefMedium& medium)
 {
   f32::ReliefMedium single;
-  single.depth = static_cast<float>(medium.depth);
+  // What is made of so small a depth would have few digits; d is its limit, to all that float has.
+  const float depth = static_cast<float>(medium.depth);
+  const float least = std::numeric_limits<float>::min() / std::numeric_limits<float>::epsilon();
+  single.depth = depth < least ? 0.0f : depth;
   single.offset = medium.offset;
   single.attenuation = medium.attenuation;
   single.density = static_cast<float>(medium.density);

@@ -71,13 +71,16 @@ template <class Real, class T>
 void TraceRow(const Field<T>& field, const typename Precision<Real>::Medium& medium,
   const Light& light, const RowRequest<Real>& request, RayCount& count);
 
-/// The vector that the model's reliefRay() takes for a sample.
-template <class Real>
-typename Precision<Real>::Vec3 LightFrom(const Light& light, double x, double y)
+/// The vector that the model's reliefRay() takes for a sample: subtracted in double, so that a lamp
+/// close to a sample keeps its place.
+template <class Real, class T>
+typename Precision<Real>::Vec3 LightFrom(
+  const Light& light, const HeightView<T>& heights, int i, int j)
 {
-  return light.positional
-    ? typename Precision<Real>::Vec3(light.vector.x - x, light.vector.y - y, light.vector.z)
-    : typename Precision<Real>::Vec3(light.vector);
+  return typename Precision<Real>::Vec3(light.positional ? light.vector -
+        glm::dvec3(
+          i * heights.spacingX, j * heights.spacingY, static_cast<double>(heights.At(i, j)))
+                                                         : light.vector);
 }
 
 /// Calls body(k, ray, n, l) for every sample of a request that has data and is wanted, k its place
@@ -97,8 +100,7 @@ void ForEachRay(const Field<T>& field, const typename Precision<Real>::Medium& m
     Vec3 n = request.normals ? request.normals[k] : Vec3(0, 0, 1);
     Vec3 l;
     auto ray = reliefRay(field, medium, i, request.j, n,
-      LightFrom<Real>(light, i * field.heights.spacingX, request.j * field.heights.spacingY),
-      light.positional, l);
+      LightFrom<Real>(light, field.heights, i, request.j), light.positional, l);
     ++count.rays;
     body(k, ray, n, l);
   }

@@ -23,6 +23,7 @@
 #define RELIEF_FIELD const FieldType&
 #define RELIEF_OUT(type) type&
 #define RELIEF_INFINITY std::numeric_limits<real>::infinity()
+#define RELIEF_EPSILON std::numeric_limits<real>::epsilon()
 #define RELIEF_NAN std::numeric_limits<real>::quiet_NaN()
 
 #define RELIEF_USING                                                                               \
@@ -63,6 +64,7 @@ using real3 = glm::dvec3;
 #undef RELIEF_FIELD
 #undef RELIEF_OUT
 #undef RELIEF_INFINITY
+#undef RELIEF_EPSILON
 #undef RELIEF_NAN
 #undef RELIEF_USING
 

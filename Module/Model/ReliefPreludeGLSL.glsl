@@ -11,5 +11,6 @@
 #define RELIEF_INFINITY reliefInfinity
 #define RELIEF_NAN reliefNaN
 
+const float RELIEF_EPSILON = 1.1920929e-7; // the step from 1 to the next number
 const float reliefInfinity = 1.0 / 0.0;
 const float reliefNaN = 0.0 / 0.0;

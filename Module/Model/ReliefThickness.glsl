@@ -17,6 +17,12 @@ const int RELIEF_BLOCK_SHIFT = 2;
 // Of its length from the start, what a ray must run in a cell for more than touching it.
 const real RELIEF_TOUCH = 1.0e-6f;
 
+// What rounding makes of the height of a ray above its start, relative to it: a ray that is no further
+// from the surface runs along it. That is not inside, or a few units in the last place would decide anew
+// at every sample. By twice as much of its length a ray ends before its light, so that one on the surface
+// lights.
+const real RELIEF_ROUNDING = 4.0f * RELIEF_EPSILON;
+
 // A ray from the sunken point p' to a light. It starts (x, y) samples away from sample (i, j), sink
 // below the height base of that sample, and runs for end units of length.
 struct ReliefRay
@@ -84,15 +90,20 @@ RELIEF_FN real reliefInsideShare(real a, real b, real c)
 {
   bool aInside = a > 0.0f;
   bool bInside = b > 0.0f;
+  real all = aInside ? real(1.0f) : real(0.0f);
+  // Only a turning point between the ends that curves toward zero can cross it, and then twice.
+  if (aInside == bInside && (abs(c) <= abs(b - a) || (c > 0.0f) != aInside))
+  {
+    return all;
+  }
+  // Scaled by the largest first: the squares of huge heights would overflow, of tiny ones vanish.
+  real scale = max(abs(a), max(abs(b), abs(c)));
+  a /= scale;
+  b /= scale;
+  c /= scale;
   real slope = b - a - c; // at u = 0
   if (aInside == bInside)
   {
-    real all = aInside ? real(1.0f) : real(0.0f);
-    // Only a turning point between the ends that curves toward zero can cross it, and then twice.
-    if (abs(c) <= abs(b - a) || (c > 0.0f) != aInside)
-    {
-      return all;
-    }
     real discriminant = slope * slope - 4.0f * a * c;
     if (discriminant <= 0.0f)
     {
@@ -173,15 +184,18 @@ RELIEF_FIELD_FN real reliefStartHeight(RELIEF_FIELD field, ReliefRay ray)
   real y = clamp(ray.y, -real(ray.j), real(reliefRows(field) - 1 - ray.j));
   int ci = clamp(ray.i + int(floor(x)), 0, max(reliefColumns(field) - 2, 0));
   int cj = clamp(ray.j + int(floor(y)), 0, max(reliefRows(field) - 2, 0));
-  real fx = x - real(ci - ray.i);
-  real fy = y - real(cj - ray.j);
+  // Both weights by their own subtraction: the small one beside the sample keeps its digits.
+  real west = real(ci + 1 - ray.i) - x;
+  real east = x - real(ci - ray.i);
+  real south = real(cj + 1 - ray.j) - y;
+  real north = y - real(cj - ray.j);
   real sum = 0.0f;
   real weights = 0.0f;
   for (int corner = 0; corner < 4; ++corner)
   {
     int di = corner & 1;
     int dj = corner >> 1;
-    real weight = (di == 1 ? fx : real(1.0f) - fx) * (dj == 1 ? fy : real(1.0f) - fy);
+    real weight = (di == 1 ? east : west) * (dj == 1 ? north : south);
     if (weight > 0.0f)
     {
       real height = reliefHeight(field, ci + di, cj + dj) - ray.base;
@@ -201,6 +215,19 @@ RELIEF_FN real reliefEdgeHeight(ReliefRay ray, int axis, int i, int j, real s, r
 {
   real share = axis == 0 ? ray.y + ray.dy * s - real(j - ray.j) : ray.x + ray.dx * s - real(i - ray.i);
   return first + (second - first) * clamp(share, real(0.0f), real(1.0f));
+}
+
+// What rounding makes of a ray's height at length s.
+RELIEF_FN real reliefMargin(ReliefRay ray, real s)
+{
+  return RELIEF_ROUNDING * (s * abs(ray.dz) + ray.sink);
+}
+
+// How far ground at a height above base lies above a ray at length s; 0 where rounding may say so.
+RELIEF_FN real reliefAbove(ReliefRay ray, real ground, real s)
+{
+  real above = ground - (s * ray.dz - ray.sink);
+  return abs(above) <= reliefMargin(ray, s) ? real(0.0f) : above;
 }
 
 // Whether the error of d is within the tolerance, however much of `rest` is inside.
@@ -254,6 +281,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
   result.rest = 0.0f;
   result.cells = 0;
 
+  ray.end -= ray.end < RELIEF_INFINITY ? 2.0f * RELIEF_ROUNDING * ray.end : real(0.0f);
   if (reliefEndless(medium, ray))
   {
     result.thickness = RELIEF_INFINITY;
@@ -288,6 +316,8 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       : cj >= rows && ray.dy < 0.0f       ? (real(rows - ray.j) - ray.y) * inverseY
                                           : real(0.0f);
     real entry = max(entryX, entryY);
+    // Where it enters, it has crossed the other border it came from before: at a corner of the image
+    // rounding must not tell otherwise.
     int ei = ci;
     int ej = cj;
     if (entryX >= entryY && entryX > 0.0f)
@@ -295,12 +325,14 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       axis = 0;
       ei = ci < 0 ? 0 : columns - 1;
       ej = reliefCellAhead(ray.y + ray.dy * entry, ray.dy, ray.j, rows);
+      ej = entryY > 0.0f ? clamp(ej, 0, rows - 1) : ej;
     }
     else if (entryY > 0.0f)
     {
       axis = 1;
       ej = cj < 0 ? 0 : rows - 1;
       ei = reliefCellAhead(ray.x + ray.dx * entry, ray.dx, ray.i, columns);
+      ei = entryX > 0.0f ? clamp(ei, 0, columns - 1) : ei;
     }
     if (entry > 0.0f && ei >= 0 && ei < columns && ej >= 0 && ej < rows)
     {
@@ -335,9 +367,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
     real s1 = max(throughX ? exitX : exitY, s);
     // A ray through a grid point only touches the cells beside it, whichever of them rounding takes it
     // through: they do not end a hole.
-    bool touches = s1 - s <= RELIEF_TOUCH * s1;
-    bool wasOnSurface = onSurface;
-    real groundBefore = ground;
+    bool holds = !onSurface && s1 - s <= RELIEF_TOUCH * s1;
 
     if (level > 0)
     {
@@ -346,7 +376,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       reliefBounds(field, level - 1, bi, bj, lo, hi);
       real z0 = s * ray.dz - ray.sink;
       real z1 = min(s1, to) * ray.dz - ray.sink;
-      if (lo > hi)
+      if (lo > hi || holds)
       {
         result.thickness +=
           reliefLevelLength(max(s, from), min(s1, to), ground + ray.sink, ray.dz);
@@ -373,7 +403,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       real h01 = reliefHeight(field, ci, cj + 1) - ray.base;
       real h11 = reliefHeight(field, ci + 1, cj + 1) - ray.base;
       real twist = (h11 - h10) - (h01 - h00);
-      if (isnan(twist))
+      if (isnan(twist) || holds)
       {
         result.thickness +=
           reliefLevelLength(max(s, from), min(s1, to), ground + ray.sink, ray.dz);
@@ -400,18 +430,14 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
           real next = throughX
             ? reliefEdgeHeight(ray, 0, ci, cj, s1, near ? h00 : h10, near ? h01 : h11)
             : reliefEdgeHeight(ray, 1, ci, cj, s1, near ? h00 : h01, near ? h10 : h11);
-          result.thickness += reliefPatchLength(s, s1, ground - (s * ray.dz - ray.sink),
-            next - (s1 * ray.dz - ray.sink), twist * (ray.dx * (s1 - s)) * (ray.dy * (s1 - s)), from,
-            to);
+          real bend = twist * (ray.dx * (s1 - s)) * (ray.dy * (s1 - s));
+          // A bow no deeper than rounding, a quarter of it, is none.
+          bend = abs(bend) <= 4.0f * reliefMargin(ray, s1) ? real(0.0f) : bend;
+          result.thickness += reliefPatchLength(
+            s, s1, reliefAbove(ray, ground, s), reliefAbove(ray, next, s1), bend, from, to);
           ground = next;
         }
       }
-    }
-
-    if (touches && !wasOnSurface)
-    {
-      ground = groundBefore;
-      onSurface = false;
     }
 
     // Step into the cell ahead.
@@ -471,8 +497,8 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
 }
 
 // A ray from the point sunk below sample (i, j), whose normal is n, to a light. `light` is the unit
-// vector toward a directional light, or the position of a positional one relative to sample (i, j)
-// at height 0. The unit vector toward the light comes back in l.
+// vector toward a directional light, or the position of a positional one relative to sample (i, j).
+// The unit vector toward the light comes back in l.
 RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int i, int j, real3 n,
   real3 light, bool positional, RELIEF_OUT(real3) l)
 {
@@ -489,7 +515,7 @@ RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int
   l = light;
   if (positional)
   {
-    real3 toLight = real3(light.x + offset.x, light.y + offset.y, light.z - ray.base + offset.z);
+    real3 toLight = light + offset;
     // Scaled by its largest part first, so that the squares neither overflow nor vanish.
     real scale = max(abs(toLight.x), max(abs(toLight.y), abs(toLight.z)));
     ray.end = 0.0f;

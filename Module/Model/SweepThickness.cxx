@@ -130,6 +130,7 @@ bool TraceTile(
   count.rays += samples;
 
   bool current = true;  // surface and ground belong to the crossing before the group
+  bool holding = false; // some ray may hold its ground
   float held = highest; // no ray's ground is higher, once rays have left the image
   const int groups = samples > 0 ? static_cast<int>(plan.groups.size()) : 0;
   for (int g = 0; g < groups; ++g)
@@ -153,6 +154,7 @@ bool TraceTile(
         bounds.hi < lowest + span.riseIn)
       {
         current = false;
+        holding = false;
         g += SweepThickness::SpanSize - 1;
         continue;
       }
@@ -171,6 +173,7 @@ bool TraceTile(
     if (bounds.hi < lowest + group.riseIn && (inImage == 2 || held < lowest + group.riseIn))
     {
       current = false;
+      holding = inImage != 2;
       continue;
     }
     if (inImage == 2 && bounds.lo > highest + group.riseOut)
@@ -181,6 +184,7 @@ bool TraceTile(
         hn::Store(hn::Add(hn::Load(tag, tile.thickness + at), length), tag, tile.thickness + at);
       }
       current = false;
+      holding = false;
       continue;
     }
     if (!current)
@@ -189,12 +193,15 @@ bool TraceTile(
       current = true;
     }
     count.cells += samples * static_cast<std::size_t>(group.end - group.begin);
-    if (inImage == 2 && bounds.lo > -infinity)
+    const bool whole = inImage == 2 && bounds.lo > -infinity;
+    if (whole && !(holding && plan.cells[group.begin].touches))
     {
       WalkWholeCells(plan, group, bounds.twist, tile);
+      holding = false;
       continue;
     }
     WalkCells(plan, rows, group, tile);
+    holding = !whole;
     if (inImage == 1)
     {
       held = -infinity;
@@ -268,6 +275,9 @@ SweepThickness::SweepThickness(
   const double dz = light.vector.z;
   this->Prepared.field = &field;
   this->Prepared.medium = relief::ToSingle(medium);
+  const double depth = this->Prepared.medium.depth;
+  const double relief = double(field.GetTop()) - field.GetBottom() + depth;
+  this->Extreme = relief > 1e15 || relief < 1e-15;
   this->Prepared.dz = static_cast<float>(dz);
 
   // From a corner of the image to the opposite one, or to where the lowest ray is above everything.
@@ -276,7 +286,7 @@ SweepThickness::SweepThickness(
     dy != 0.0 ? heights.rows / std::abs(dy) : infinity);
   if (dz > 0.0)
   {
-    end = std::min(end, (double(field.GetTop()) - field.GetBottom() + medium.depth) / dz);
+    end = std::min(end, relief / dz);
   }
 
   int x = dx < 0.0 ? -1 : 0;
@@ -298,12 +308,12 @@ SweepThickness::SweepThickness(
     cell.weight = static_cast<float>(std::min(std::max(place, 0.0), 1.0));
     cell.length = static_cast<float>(next - s);
     cell.touches = next - s <= f64::RELIEF_TOUCH * next;
-    cell.rise = static_cast<float>(next * dz - medium.depth);
+    cell.rise = static_cast<float>(next * dz - depth);
     cell.bend = static_cast<float>(dx * (next - s) * dy * (next - s));
     if (this->Prepared.cells.size() % GroupSize == 0)
     {
       Group group = { static_cast<int>(this->Prepared.cells.size()), 0, x, x, y, y,
-        static_cast<float>(s * dz - medium.depth), 0.0f, 0.0f, static_cast<float>(s) };
+        static_cast<float>(s * dz - depth), 0.0f, 0.0f, static_cast<float>(s) };
       this->Prepared.groups.push_back(group);
     }
     this->Prepared.cells.push_back(cell);
@@ -321,7 +331,7 @@ SweepThickness::SweepThickness(
   // After the last cell every ray is outside or above everything: one more group says so.
   Group last = { static_cast<int>(this->Prepared.cells.size()),
     static_cast<int>(this->Prepared.cells.size()), heights.columns + TileWidth,
-    heights.columns + TileWidth, 0, 0, static_cast<float>(s * dz - medium.depth), 0.0f, 0.0f,
+    heights.columns + TileWidth, 0, 0, static_cast<float>(s * dz - depth), 0.0f, 0.0f,
     static_cast<float>(s) };
   this->Prepared.groups.push_back(last);
 
@@ -343,6 +353,22 @@ SweepThickness::SweepThickness(
 
 void SweepThickness::IlluminateTile(int column, int row, float* d, float* r, RayCount& count) const
 {
+  if (this->Extreme)
+  {
+    const HeightView<float>& heights = this->Prepared.field->GetField().heights;
+    for (int j = 0; j < TileHeight && row * TileHeight + j < heights.rows; ++j)
+    {
+      RowRequest<float> request;
+      request.j = row * TileHeight + j;
+      request.begin = column * TileWidth;
+      request.end = std::min(request.begin + TileWidth, heights.columns);
+      request.illumination = d + j * TileWidth;
+      request.thickness = r ? r + j * TileWidth : nullptr;
+      TraceRow<float>(
+        this->Prepared.field->GetField(), this->Prepared.medium, this->Source, request, count);
+    }
+    return;
+  }
   // Aligned for any of the instruction sets.
   alignas(TileWidth * sizeof(float)) float thickness[TileSize];
   alignas(TileWidth * sizeof(float)) float restOf[TileSize];

@@ -43,6 +43,13 @@ public:
   /// number.
   void IlluminateTile(int column, int row, float* d, float* r, RayCount& count) const;
 
+  /// Bytes that the crossings take.
+  std::size_t GetMemorySize() const
+  {
+    return sizeof(*this) + this->Prepared.cells.capacity() * sizeof(Cell) +
+      (this->Prepared.groups.capacity() + this->Prepared.spans.capacity()) * sizeof(Group);
+  }
+
   /// The instruction set in use, for reports.
   static const char* GetTargetName();
 
@@ -91,6 +98,7 @@ private:
 
   Plan Prepared;
   Light Source;
+  bool Extreme; // squares of heights are no numbers: rays are traced one by one, which minds that
   bool AlongX;
   bool AlongY;
 };

@@ -58,6 +58,13 @@ HWY_INLINE Vector Twist(Tag tag, const float* lower, const float* upper)
     hn::Sub(hn::LoadU(tag, upper), hn::LoadU(tag, lower)));
 }
 
+// Within how much of the surface a ray counts as on it, as reliefAbove() tells; `rise` is what it
+// has climbed above the sample.
+HWY_INLINE float MarginAt(const SweepThickness::Plan& plan, float rise)
+{
+  return f32::RELIEF_ROUNDING * (rise + 2.0f * plan.medium.depth);
+}
+
 // Walks a group's cells with every ray of a tile.
 void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
   const SweepThickness::Group& group, Tile& tile)
@@ -77,6 +84,7 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
       Vector ground = hn::Load(tag, tile.ground + at);
       Vector thickness = hn::Load(tag, tile.thickness + at);
       Vector rise = hn::Set(tag, group.riseIn);
+      Vector margin = hn::Set(tag, MarginAt(plan, group.riseIn));
       for (int k = group.begin; k < group.end; ++k)
       {
         const SweepThickness::Cell& cell = plan.cells[k];
@@ -86,19 +94,19 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
           Interpolate(tag, hn::LoadU(tag, rows(y + cell.firstY) + x + cell.firstX),
             hn::LoadU(tag, rows(y + cell.secondY) + x + cell.secondX), cell.weight);
 
-        // Across a hole the ground stays where it was. Out of a hole it jumps to the surface.
-        const Mask hole = hn::IsNaN(twist);
-        const Mask held = hn::Ne(ground, surface);
+        // Across a hole the ground stays where it was, and so it does in a cell that is only
+        // touched. Out of a hole it jumps to the surface.
+        const Mask missing = hn::IsNaN(twist);
+        const Mask hole = cell.touches ? hn::Or(missing, hn::Ne(ground, surface)) : missing;
         const Vector from = hn::IfThenElse(hole, ground, surface);
-        const Vector entered = ground;
         ground = hn::IfThenElse(hole, ground, next);
-        const Vector kept = cell.touches ? hn::IfThenElse(held, entered, ground) : ground;
         surface = next;
         const Vector a = hn::Sub(hn::Sub(from, base), rise);
         rise = hn::Set(tag, cell.rise);
+        const Vector marginIn = margin;
+        margin = hn::Set(tag, MarginAt(plan, cell.rise));
         const Vector b = hn::Sub(hn::Sub(ground, base), rise);
         const Vector c = hn::IfThenZeroElse(hole, hn::Mul(twist, hn::Set(tag, cell.bend)));
-        ground = kept;
 
         const Vector length = hn::Set(tag, cell.length);
         const Mask aInside = hn::Gt(a, zero);
@@ -113,7 +121,7 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
         }
         else
         {
-          thickness = hn::MulAdd(length, InsideShare(tag, a, b, c), thickness);
+          thickness = hn::MulAdd(length, InsideShare(tag, a, b, c, marginIn, margin), thickness);
         }
       }
       hn::Store(surface, tag, tile.surface + at);
@@ -125,7 +133,8 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
 
 // The same where all the cells are in the image and none is a hole, whose patches have twists of at
 // most `twist`: where both ends are further from zero than the bow can be deep, the ray is all in
-// or all out. What a hole before them held ends here, so they start at the surface.
+// or all out. What a hole before them held ends here, so they start at the surface; the first is
+// not one that is only touched, if anything is held.
 void WalkWholeCells(
   const SweepThickness::Plan& plan, const SweepThickness::Group& group, float twist, Tile& tile)
 {
@@ -140,7 +149,7 @@ void WalkWholeCells(
     const float* first;
     const float* second;
     const float* lower;
-    float weight, length, rise, bend, bow;
+    float weight, length, rise, marginIn, margin, bend, bow;
   };
   Step steps[SweepThickness::GroupSize];
   const int count = group.end - group.begin;
@@ -148,9 +157,12 @@ void WalkWholeCells(
   for (int k = 0; k < count; ++k)
   {
     const SweepThickness::Cell& cell = plan.cells[group.begin + k];
+    const float marginIn = k == 0 ? MarginAt(plan, group.riseIn) : steps[k - 1].margin;
+    const float margin = MarginAt(plan, cell.rise);
     steps[k] = { origin + cell.firstY * pitch + cell.firstX,
       origin + cell.secondY * pitch + cell.secondX, origin + cell.y * pitch + cell.x, cell.weight,
-      cell.length, cell.rise, cell.bend, 0.25f * twist * std::abs(cell.bend) };
+      cell.length, cell.rise, marginIn, margin, cell.bend,
+      0.25f * twist * std::abs(cell.bend) + margin };
   }
 
   for (int row = 0; row < tile.rows; ++row)
@@ -182,7 +194,9 @@ void WalkWholeCells(
         {
           const float* lower = step.lower + offset;
           const Vector c = hn::Mul(Twist(tag, lower, lower + pitch), hn::Set(tag, step.bend));
-          thickness = hn::MulAdd(length, InsideShare(tag, a, b, c), thickness);
+          const Vector share =
+            InsideShare(tag, a, b, c, hn::Set(tag, step.marginIn), hn::Set(tag, step.margin));
+          thickness = hn::MulAdd(length, share, thickness);
         }
         a = b;
       }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -28,14 +29,30 @@ static_assert(MaxLanes == SweepThickness::TileWidth);
 using Tag = hn::CappedTag<float, MaxLanes>;
 using Vector = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
+using IntTag = hn::RebindToSigned<Tag>;
 
-// reliefInsideShare() for the lanes of a vector.
-HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
+// The power of two that brings a number's magnitude to [1, 2), as far as there is one.
+HWY_INLINE Vector Normalizer(Tag tag, Vector magnitude)
+{
+  const IntTag intTag;
+  const auto exponent =
+    hn::And(hn::BitCast(intTag, magnitude), hn::Set(intTag, std::int32_t{ 0x7F800000 }));
+  // 2^-127 is no normal number.
+  const auto inverse = hn::Max(hn::Sub(hn::Set(intTag, std::int32_t{ 0x7F000000 }), exponent),
+    hn::Set(intTag, std::int32_t{ 0x00800000 }));
+  return hn::BitCast(tag, inverse);
+}
+
+// reliefInsideShare() for the lanes of a vector, of numbers whose squares are numbers too. An end
+// within its margin of 0 is on the surface.
+HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c, Vector marginA, Vector marginB)
 {
   const Vector zero = hn::Zero(tag);
   const Vector one = hn::Set(tag, 1.0f);
-  const Mask aInside = hn::Gt(a, zero);
-  const Mask bInside = hn::Gt(b, zero);
+  const Mask aInside = hn::Gt(a, marginA);
+  const Mask bInside = hn::Gt(b, marginB);
+  a = hn::IfThenElse(aInside, a, hn::Min(a, zero));
+  b = hn::IfThenElse(bInside, b, hn::Min(b, zero));
   const Vector slope = hn::Sub(hn::Sub(b, a), c);
   const Vector square = hn::Mul(slope, slope);
   const Vector discriminant = hn::Sub(square, hn::Mul(hn::Set(tag, 4.0f), hn::Mul(a, c)));
@@ -49,10 +66,13 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c)
   const Vector numerator = hn::IfThenElse(falls, hn::Add(sa, sa), hn::Neg(hn::Add(q, root)));
   const Vector denominator = hn::IfThenElse(falls, hn::Sub(root, q), hn::Add(sc, sc));
 
+  // A bow no deeper than the margin, a quarter of c, is none.
+  const Vector least = hn::Mul(hn::Set(tag, 4.0f), marginB);
+
   // Same side at both ends: the stretch between two crossings, if there are any. One division
   // serves both.
   const Mask differ = hn::Xor(aInside, bInside);
-  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Abs(hn::Sub(b, a))),
+  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Max(hn::Abs(hn::Sub(b, a)), least)),
     hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
   const Vector ratio = hn::Div(
     hn::IfThenElse(differ, numerator, root), hn::IfThenElse(differ, denominator, hn::Abs(c)));

@@ -48,7 +48,8 @@ ReliefRay lightRay(ReliefMedium medium, ivec2 at, vec3 n, out vec3 l)
 {
   //RELIEF::If Positional
   // Whole samples are subtracted first, or a light far away would lose its place among them.
-  vec3 light = lightVector + vec3(vec2(lightSample - at) * reliefSpacing, 0.0);
+  vec3 light =
+    lightVector + vec3(vec2(lightSample - at) * reliefSpacing, -reliefHeight(0, at.x, at.y));
   return reliefRay(0, medium, at.x, at.y, n, light, true, l);
   //RELIEF::Else
   return reliefRay(0, medium, at.x, at.y, n, lightVector, false, l);
