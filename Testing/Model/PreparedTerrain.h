@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 inline void RunSerial(int count, const std::function<void(int, int)>& body)
@@ -22,8 +23,9 @@ inline void RunSerial(int count, const std::function<void(int, int)>& body)
   body(0, count);
 }
 
-/// A field of a terrain's heights, padded for the lockstep integrator or not.
-inline void Prepare(const Terrain& terrain, relief::HeightField& field, bool padded = true)
+/// Makes a field of a terrain's heights, padded for the lockstep integrator or not; returns what is
+/// wrong with them, or nothing.
+inline std::string Assign(const Terrain& terrain, relief::HeightField& field, bool padded = true)
 {
   relief::HeightSource<double> source;
   source.data = terrain.heights.data();
@@ -32,7 +34,12 @@ inline void Prepare(const Terrain& terrain, relief::HeightField& field, bool pad
   source.rows = terrain.rows;
   source.spacingX = terrain.spacingX;
   source.spacingY = terrain.spacingY;
-  ASSERT_EQ(field.Assign(source, RunSerial, padded), "");
+  return field.Assign(source, RunSerial, padded);
+}
+
+inline void Prepare(const Terrain& terrain, relief::HeightField& field, bool padded = true)
+{
+  ASSERT_EQ(Assign(terrain, field, padded), "");
 }
 
 /// d of every sample in double, without bounds and without tolerance.

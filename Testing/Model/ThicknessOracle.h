@@ -23,9 +23,12 @@ namespace oracle
 using Real = long double;
 constexpr Real Infinity = std::numeric_limits<Real>::infinity();
 
-/// A ray in grid coordinates (x / sx, y / sy) and in lengths along z; s is a length.
+/// A ray in grid coordinates (x / sx, y / sy) and in lengths along z; s is a length. All count from
+/// its sample, so that a small depth t keeps its digits.
 struct Ray
 {
+  int i = 0; ///< the sample
+  int j = 0;
   Real x = 0.0L; ///< start, in samples
   Real y = 0.0L;
   Real z = 0.0L;
@@ -33,7 +36,7 @@ struct Ray
   Real stepY = 0.0L;
   Real stepZ = 0.0L;
   Real length = Infinity;
-  Real fallback = 0.0L; ///< surface where p' has no sample with data around it
+  Real base = 0.0L; ///< the sample's own height
 };
 
 /// A small change of what the model is given, by which the oracle tells how well-conditioned a
@@ -42,8 +45,9 @@ struct Nudge
 {
   Real x = 0.0L;
   Real y = 0.0L;
-  Real turn = 0.0L; ///< of the ray, about z, in radians
-  Real raise = 0.0L;
+  Real turn = 0.0L;   ///< of the ray, about z, in radians
+  Real raise = 0.0L;  ///< of all heights
+  bool stays = false; ///< but the sample's own
   /// What is held after a ray has passed this close by a sample, in lengths: the lesser (tie < 0)
   /// or the greater (tie > 0) of what was held and the sample's height. A ray through the corner
   /// between two holes meets the two other cells there on no length at all, and which of them it is
@@ -52,52 +56,85 @@ struct Nudge
   int tie = 0;
 };
 
-/// Bilinear height at a place inside a cell whose corners all have data.
-inline Real Patch(const Terrain& terrain, int i, int j, Real x, Real y)
+/// The image as a ray's sample sees it: columns and rows count from there, and so do heights.
+class View
 {
-  Real u = x - i;
-  Real v = y - j;
-  return (1 - u) * (1 - v) * static_cast<Real>(terrain.At(i, j)) +
-    u * (1 - v) * static_cast<Real>(terrain.At(i + 1, j)) +
-    (1 - u) * v * static_cast<Real>(terrain.At(i, j + 1)) +
-    u * v * static_cast<Real>(terrain.At(i + 1, j + 1));
-}
+public:
+  View(const Terrain& terrain, const Ray& ray, const Nudge& nudge)
+    : Field(terrain)
+    , From(ray)
+    , Change(nudge)
+    , firstX(-ray.i)
+    , firstY(-ray.j)
+    , lastX(terrain.columns - 1 - ray.i)
+    , lastY(terrain.rows - 1 - ray.j)
+  {
+  }
 
-inline bool IsHole(const Terrain& terrain, int i, int j)
-{
-  return std::isnan(terrain.At(i, j)) || std::isnan(terrain.At(i + 1, j)) ||
-    std::isnan(terrain.At(i, j + 1)) || std::isnan(terrain.At(i + 1, j + 1));
-}
+  Real At(int i, int j) const
+  {
+    const bool own = this->Change.stays && i == 0 && j == 0;
+    return this->Field.At(this->From.i + i, this->From.j + j) - this->From.base +
+      (own ? Real(0) : this->Change.raise);
+  }
 
-/// The cell of a coordinate: the one after a grid line, the last one for the last line.
-inline int CellOf(Real x, int samples)
-{
-  return std::clamp(static_cast<int>(std::floor(x)), 0, std::max(samples - 2, 0));
-}
+  bool IsHole(int i, int j) const
+  {
+    return std::isnan(
+      this->At(i, j) + this->At(i + 1, j) + this->At(i, j + 1) + this->At(i + 1, j + 1));
+  }
+
+  /// Bilinear height at a place inside a cell whose corners all have data.
+  Real Patch(int i, int j, Real x, Real y) const
+  {
+    Real u = x - i;
+    Real v = y - j;
+    return (1 - u) * (1 - v) * this->At(i, j) + u * (1 - v) * this->At(i + 1, j) +
+      (1 - u) * v * this->At(i, j + 1) + u * v * this->At(i + 1, j + 1);
+  }
+
+  /// The cell of a coordinate: the one after a grid line, the last one for the last line.
+  static int CellOf(Real x, int first, int last)
+  {
+    Real line = std::clamp(std::floor(x), Real(first), Real(std::max(last - 1, first)));
+    return static_cast<int>(line);
+  }
+
+  int CellX(Real x) const { return CellOf(x, this->firstX, this->lastX); }
+  int CellY(Real y) const { return CellOf(y, this->firstY, this->lastY); }
+
+private:
+  const Terrain& Field;
+  const Ray& From;
+  const Nudge& Change;
+
+public:
+  const int firstX, firstY, lastX, lastY; ///< samples
+};
 
 /// Surface where a ray starts outside the image or in a hole: the bilinear height at the position
-/// clamped to the image, over the corners that have data.
-inline Real ClampedHeight(const Terrain& terrain, Real x, Real y, Real fallback)
+/// clamped to the image, over the corners that have data; the sample's own where none has.
+inline Real ClampedHeight(const View& view, Real x, Real y)
 {
-  x = std::clamp(x, Real(0), Real(terrain.columns - 1));
-  y = std::clamp(y, Real(0), Real(terrain.rows - 1));
-  int i = CellOf(x, terrain.columns);
-  int j = CellOf(y, terrain.rows);
+  x = std::clamp(x, Real(view.firstX), Real(view.lastX));
+  y = std::clamp(y, Real(view.firstY), Real(view.lastY));
+  int i = view.CellX(x);
+  int j = view.CellY(y);
   Real sum = 0;
   Real weights = 0;
-  for (int cj = j; cj <= std::min(j + 1, terrain.rows - 1); ++cj)
+  for (int cj = j; cj <= std::min(j + 1, view.lastY); ++cj)
   {
-    for (int ci = i; ci <= std::min(i + 1, terrain.columns - 1); ++ci)
+    for (int ci = i; ci <= std::min(i + 1, view.lastX); ++ci)
     {
-      Real weight = (1 - std::abs(x - ci)) * (1 - std::abs(y - cj));
-      if (!std::isnan(terrain.At(ci, cj)) && weight > 0)
+      Real weight = (ci == i ? i + 1 - x : x - i) * (cj == j ? j + 1 - y : y - j);
+      if (!std::isnan(view.At(ci, cj)) && weight > 0)
       {
-        sum += weight * static_cast<Real>(terrain.At(ci, cj));
+        sum += weight * view.At(ci, cj);
         weights += weight;
       }
     }
   }
-  return weights > 0 ? sum / weights : fallback;
+  return weights > 0 ? sum / weights : Real(0);
 }
 
 /// Length of the part of [s0, s1] in which c0 + c1 s > 0.
@@ -168,29 +205,34 @@ inline Real Thickness(
 
   // Where the ray meets grid lines.
   std::vector<Real> cuts = { 0 };
-  auto cross = [&cuts, &ray](Real start, Real step, int lines)
+  const View view(terrain, ray, nudge);
+  auto cross = [&cuts, &ray](Real start, Real step, int first, int last)
   {
-    for (int k = 0; step != 0 && k < lines; ++k)
+    for (int k = first; step != 0 && k <= last; ++k)
     {
       Real s = (k - start) / step;
-      if (s > 0 && s < ray.length)
+      if (s > 0)
       {
         cuts.push_back(s);
       }
     }
   };
-  cross(ray.x, ray.stepX, terrain.columns);
-  cross(ray.y, ray.stepY, terrain.rows);
+  cross(ray.x, ray.stepX, view.firstX, view.lastX);
+  cross(ray.y, ray.stepY, view.firstY, view.lastY);
   std::sort(cuts.begin(), cuts.end());
-  cuts.push_back(ray.length);
+  cuts.push_back(Infinity);
 
-  Real held = ClampedHeight(terrain, ray.x, ray.y, ray.fallback) + nudge.raise;
+  Real held = ClampedHeight(view, ray.x, ray.y);
   bool holding = false;
   Real inside = 0;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
   {
     Real s0 = cuts[k];
     Real s1 = cuts[k + 1];
+    if (s0 >= ray.length)
+    {
+      break;
+    }
     if (s1 <= s0)
     {
       continue;
@@ -198,41 +240,37 @@ inline Real Thickness(
     Real middle = std::isinf(s1) ? s0 + 1 : (s0 + s1) / 2;
     Real x = ray.x + middle * ray.stepX;
     Real y = ray.y + middle * ray.stepY;
-    int i = CellOf(x, terrain.columns);
-    int j = CellOf(y, terrain.rows);
-    bool outside = x < 0 || y < 0 || x > terrain.columns - 1 || y > terrain.rows - 1 ||
+    int i = view.CellX(x);
+    int j = view.CellY(y);
+    bool outside = x < view.firstX || y < view.firstY || x > view.lastX || y > view.lastY ||
       terrain.columns < 2 || terrain.rows < 2;
-    int ni = std::clamp(static_cast<int>(std::lround(x)), 0, terrain.columns - 1);
-    int nj = std::clamp(static_cast<int>(std::lround(y)), 0, terrain.rows - 1);
-    if (nudge.tie != 0 && s1 - s0 <= nudge.close && !std::isnan(terrain.At(ni, nj)))
+    int ni = view.CellOf(x + Real(0.5), view.firstX, view.lastX + 1);
+    int nj = view.CellOf(y + Real(0.5), view.firstY, view.lastY + 1);
+    Real corner = view.At(ni, nj);
+    bool tied = nudge.tie != 0 && s1 - s0 <= nudge.close && !std::isnan(corner);
+    if (tied)
     {
-      Real corner = terrain.At(ni, nj) + nudge.raise;
       held = nudge.tie < 0 ? std::min(held, corner) : std::max(held, corner);
-      continue;
     }
     // A ray upright in a cell never leaves it; its surface is that of its start.
     bool upright = ray.stepX == 0 && ray.stepY == 0;
-    bool level = outside || upright || IsHole(terrain, i, j);
+    bool level = tied || outside || upright || view.IsHole(i, j);
     auto height = [&](Real s)
-    {
-      return level
-        ? held
-        : Patch(terrain, i, j, ray.x + s * ray.stepX, ray.y + s * ray.stepY) + nudge.raise;
-    };
+    { return level ? held : view.Patch(i, j, ray.x + s * ray.stepX, ray.y + s * ray.stepY); };
     // A cell of which the ray only touches a corner does not end a hole.
-    const bool touches = s1 - s0 <= Real(1e-6) * s1;
-    if (!level && !(touches && holding))
+    level = level || (holding && s1 - s0 <= Real(1e-6f) * s1);
+    if (!level && !std::isinf(s1))
     {
       held = height(s1);
     }
-    holding = level || (touches && holding);
+    holding = level;
 
     // Above the floor, then below the surface.
     Real from = s0;
-    Real to = s1;
+    Real to = std::min(s1, ray.length);
     if (medium.useFloor)
     {
-      ClipPositive(ray.z - static_cast<Real>(medium.floorHeight), ray.stepZ, from, to);
+      ClipPositive(ray.z - (medium.floorHeight - ray.base), ray.stepZ, from, to);
     }
     if (level)
     {
@@ -290,26 +328,39 @@ inline Ray RayOf(const Terrain& terrain, const relief::f64::ReliefMedium& medium
   Real t = medium.depth;
   Real offset[3] = { -t * n.x, -t * n.y, -t * n.z };
   Ray ray;
-  ray.fallback = terrain.At(i, j);
-  ray.x = i + offset[0] / terrain.spacingX;
-  ray.y = j + offset[1] / terrain.spacingY;
-  ray.z = terrain.At(i, j) + offset[2];
+  ray.base = terrain.At(i, j);
+  ray.i = i;
+  ray.j = j;
+  ray.x = offset[0] / terrain.spacingX;
+  ray.y = offset[1] / terrain.spacingY;
+  ray.z = offset[2];
   Real l[3] = { light.vector.x, light.vector.y, light.vector.z };
   if (light.positional)
   {
-    l[0] -= Real(i) * terrain.spacingX + offset[0];
-    l[1] -= Real(j) * terrain.spacingY + offset[1];
-    l[2] -= ray.z;
+    // Samples stand where double has them.
+    l[0] = l[0] - i * terrain.spacingX - offset[0];
+    l[1] = l[1] - j * terrain.spacingY - offset[1];
+    l[2] = l[2] - ray.base - offset[2];
     ray.length = std::sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
     for (Real& component : l)
     {
       component = ray.length > 0 ? component / ray.length : &component == &l[2] ? 1 : 0;
     }
   }
-  ray.stepX = l[0] / terrain.spacingX;
-  ray.stepY = l[1] / terrain.spacingY;
+  // Directions closer to an axis are along it.
+  constexpr Real along = 1e-12L;
+  ray.stepX = std::abs(l[0]) < along ? 0 : l[0] / terrain.spacingX;
+  ray.stepY = std::abs(l[1]) < along ? 0 : l[1] / terrain.spacingY;
   ray.stepZ = l[2];
   return ray;
+}
+
+/// How long a ray may be in a cell that inputs within a relative distance may have it miss.
+inline Real CloseTo(const Terrain& terrain, const Ray& ray, Real distance)
+{
+  Real across = std::hypot(ray.stepX * terrain.spacingX, ray.stepY * terrain.spacingY);
+  Real size = terrain.columns * terrain.spacingX + terrain.rows * terrain.spacingY;
+  return across > 0 ? 4 * distance * size / across : Real(0);
 }
 
 /// All the thicknesses that inputs within a distance of the given ones have: what a computation may
@@ -335,9 +386,7 @@ inline Range ThicknessRange(const Terrain& terrain, const relief::f64::ReliefMed
     nudge.turn = (k / 9 % 3 - 1) * distance;
     nudge.raise = (k / 27 % 3 - 1) * distance * scale;
     nudge.tie = k < 81 ? -1 : 1;
-    nudge.close = 4 * distance *
-      (terrain.columns * terrain.spacingX + terrain.rows * terrain.spacingY) /
-      std::hypot(ray.stepX * terrain.spacingX, ray.stepY * terrain.spacingY);
+    nudge.close = CloseTo(terrain, ray, distance);
     Real r = Thickness(terrain, medium, ray, nudge);
     range.lo = std::min(range.lo, r);
     range.hi = std::max(range.hi, r);
