@@ -27,7 +27,7 @@ namespace
 {
 // The model's single precision needs room for squares and products. What is beyond counts as the
 // limit, which looks the same: Documentation/Conventions.md.
-constexpr double LargestLength = 1e15;
+constexpr double LargestLength = 1e32;
 constexpr double LargestColor = 1e6;
 constexpr double LargestRadiance = 1e30;
 constexpr double LargestNumber = 1e30;
@@ -75,7 +75,7 @@ std::string vtkReliefImageFrame::Assign(vtkImageData* image)
     if (!(size >= 1.0 / LargestLength && size <= LargestLength))
     {
       message << "the spacing is (" << spacing[0] << ", " << spacing[1]
-              << "), numbers from 1e-15 to 1e15, or these negative, are expected";
+              << "), numbers from 1e-32 to 1e32, or these negative, are expected";
       return message.str();
     }
     this->Spacing[axis] = std::abs(spacing[axis]);
