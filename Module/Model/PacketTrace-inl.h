@@ -49,10 +49,12 @@ HWY_INLINE Vector LevelLength(Tag tag, Vector s0, Vector s1, Vector ground, Vect
 {
   const Vector zero = hn::Zero(tag);
   const Vector crossing = hn::Div(ground, dz);
-  const Vector up = hn::Sub(hn::Min(s1, crossing), s0);
-  const Vector down = hn::Sub(s1, hn::Max(s0, crossing));
+  const Mask up = hn::Gt(dz, zero);
+  const Vector begin = hn::IfThenElse(up, s0, hn::Max(s0, crossing));
+  const Vector end = hn::IfThenElse(up, hn::Min(s1, crossing), s1);
   const Vector level = hn::IfThenElseZero(hn::Gt(ground, zero), hn::Sub(s1, s0));
-  const Vector slanted = hn::Max(hn::IfThenElse(hn::Gt(dz, zero), up, down), zero);
+  // Both may be infinite.
+  const Vector slanted = hn::IfThenElseZero(hn::Gt(end, begin), hn::Sub(end, begin));
   const Vector length = hn::IfThenElse(hn::Eq(dz, zero), level, slanted);
   return hn::IfThenElseZero(hn::Gt(s1, s0), length);
 }

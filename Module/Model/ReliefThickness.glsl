@@ -159,7 +159,9 @@ RELIEF_FN real reliefLevelLength(real s0, real s1, real ground, real dz)
     return ground > 0.0f ? s1 - s0 : real(0.0f);
   }
   real crossing = ground / dz;
-  return dz > 0.0f ? max(min(s1, crossing) - s0, real(0.0f)) : max(s1 - max(s0, crossing), real(0.0f));
+  real begin = dz > 0.0f ? s0 : max(s0, crossing);
+  real end = dz > 0.0f ? min(s1, crossing) : s1;
+  return end > begin ? end - begin : real(0.0f); // both may be infinite
 }
 
 // The cell along one axis that a ray at x enters: it lies ahead; beside a ray along a grid line it is
