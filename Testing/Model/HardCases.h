@@ -5,6 +5,7 @@
 #include "HardScene.h"
 
 #include <functional>
+#include <ostream>
 #include <vector>
 
 /// One row of the catalogue of what is hard to compute.
@@ -18,6 +19,12 @@ struct HardCase
   /// What the message says by which the heights are refused, or null.
   const char* refused = nullptr;
 };
+
+/// As GoogleTest names it.
+inline void PrintTo(const HardCase& hardCase, std::ostream* os)
+{
+  *os << hardCase.name;
+}
 
 /// The catalogue: every method computes each row, and for each row all that HardSceneChecks.h says
 /// must hold. A failing scene that the random ones find is pasted here.
