@@ -165,13 +165,13 @@ NumberRow* Section::AddShare(const FieldName& name, const Getter& get, const Set
 //------------------------------------------------------------------------------
 void Section::AddColour(const FieldName& name, const ColourGetter& get, const ColourSetter& set)
 {
-  auto* button = new ColourButton(this->Fields);
+  auto* button = new ColorButton(this->Fields);
   this->AddRow(name, button);
-  connect(button, &ColourButton::pressedDialog, this->Shown, &Document::StartStep);
-  connect(button, &ColourButton::edited, this->Shown,
-    [this, name, set](const ColourButton::Colour& colour)
+  connect(button, &ColorButton::pressedDialog, this->Shown, &Document::StartStep);
+  connect(button, &ColorButton::edited, this->Shown,
+    [this, name, set](const ColorButton::Colour& colour)
     { this->Shown->Edit(stepName(name), [&set, &colour] { set(colour.data()); }); });
-  connect(button, &ColourButton::releasedDialog, this->Shown,
+  connect(button, &ColorButton::releasedDialog, this->Shown,
     [this, name] { this->Shown->EndStep(stepName(name)); });
   this->AddRefresher(
     [button, get]

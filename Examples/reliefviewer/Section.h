@@ -2,7 +2,7 @@
 #ifndef Section_h
 #define Section_h
 
-#include "ColourButton.h"
+#include "ColorButton.h"
 #include "Document.h"
 #include "NumberRow.h"
 

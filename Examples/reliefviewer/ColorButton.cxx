@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ColourButton.h"
+#include "ColorButton.h"
 
 #include <QColorDialog>
 #include <QColorSpace>
@@ -15,7 +15,7 @@ namespace reliefviewer
 namespace
 {
 
-QColor toScreen(const ColourButton::Colour& linear)
+QColor toScreen(const ColorButton::Colour& linear)
 {
   const auto clamped = [&linear](int i)
   { return static_cast<float>(std::max(0.0, std::min(linear[i], 1.0))); };
@@ -24,7 +24,7 @@ QColor toScreen(const ColourButton::Colour& linear)
     .map(QColor::fromRgbF(clamped(0), clamped(1), clamped(2)));
 }
 
-ColourButton::Colour toLinear(const QColor& screen)
+ColorButton::Colour toLinear(const QColor& screen)
 {
   const QColor linear = QColorSpace(QColorSpace::SRgb)
                           .transformationToColorSpace(QColorSpace::SRgbLinear)
@@ -35,15 +35,15 @@ ColourButton::Colour toLinear(const QColor& screen)
 }
 
 //------------------------------------------------------------------------------
-ColourButton::ColourButton(QWidget* parent)
+ColorButton::ColorButton(QWidget* parent)
   : QPushButton(parent)
 {
   this->setMinimumWidth(48);
-  connect(this, &QPushButton::clicked, this, &ColourButton::Choose);
+  connect(this, &QPushButton::clicked, this, &ColorButton::Choose);
 }
 
 //------------------------------------------------------------------------------
-void ColourButton::Show(const Colour& linear)
+void ColorButton::Show(const Colour& linear)
 {
   this->Linear = linear;
   this->setToolTip(tr("Linear red %1, green %2, blue %3")
@@ -54,7 +54,7 @@ void ColourButton::Show(const Colour& linear)
 }
 
 //------------------------------------------------------------------------------
-void ColourButton::Choose()
+void ColorButton::Choose()
 {
   const Colour before = this->Linear;
   const QColor shown = toScreen(before);
@@ -73,7 +73,7 @@ void ColourButton::Choose()
 }
 
 //------------------------------------------------------------------------------
-void ColourButton::paintEvent(QPaintEvent*)
+void ColorButton::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);

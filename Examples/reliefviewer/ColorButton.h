@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ColourButton_h
-#define ColourButton_h
+#ifndef ColorButton_h
+#define ColorButton_h
 
 #include <QPushButton>
 
@@ -10,14 +10,14 @@ namespace reliefviewer
 {
 
 /// A linear RGB colour, as scenes have it. A click opens a dialog whose choice is seen at once.
-class ColourButton : public QPushButton
+class ColorButton : public QPushButton
 {
   Q_OBJECT
 
 public:
   using Colour = std::array<double, 3>;
 
-  explicit ColourButton(QWidget* parent = nullptr);
+  explicit ColorButton(QWidget* parent = nullptr);
 
   /// Shows a colour; tells nobody.
   void Show(const Colour& linear);
