@@ -277,7 +277,7 @@ SweepThickness::SweepThickness(
   this->Prepared.medium = relief::ToSingle(medium);
   const double depth = this->Prepared.medium.depth;
   const double relief = double(field.GetTop()) - field.GetBottom() + depth;
-  this->Extreme = relief > 1e15 || relief < 1e-15;
+  this->Extreme = IsExtreme(relief);
   this->Prepared.dz = static_cast<float>(dz);
 
   // From a corner of the image to the opposite one, or to where the lowest ray is above everything.

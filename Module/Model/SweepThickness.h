@@ -35,6 +35,10 @@ public:
   /// horizon, points sunk vertically, no floor.
   static bool Applies(const f64::ReliefMedium& medium, const Light& light);
 
+  /// Whether squares of heights are no numbers in single precision, so that rays are traced one by
+  /// one, which minds that; for the greatest less the least height, and t.
+  static bool IsExtreme(double relief) { return relief > 1e15 || relief < 1e-15; }
+
   /// Lists the crossings. The field must be padded, and outlive this object.
   SweepThickness(const HeightField& field, const f64::ReliefMedium& medium, const Light& light);
 
@@ -98,7 +102,7 @@ private:
 
   Plan Prepared;
   Light Source;
-  bool Extreme; // squares of heights are no numbers: rays are traced one by one, which minds that
+  bool Extreme;
   bool AlongX;
   bool AlongY;
 };
