@@ -68,11 +68,8 @@ inline int CountWrong(const char* what, const char* name, const HardScene& scene
     {
       const double d = Value(image, array, i, j);
       const bool hasData = std::isfinite(scene.terrain.At(i, j));
-      const bool right = hasData
-        ? BackwardError(scene, scene.lights[light], i, j, d, Method::Scene, MostUnits) <=
-              MostUnits ||
-          IsJump(scene, scene.lights[light], i, j, d, Method::Scene)
-        : (array ? std::isnan(d) : d == 0.0);
+      const bool right = hasData ? IsExplained(scene, scene.lights[light], i, j, d, Method::Scene)
+                                 : (array ? std::isnan(d) : d == 0.0);
       if (!right)
       {
         ++wrong;

@@ -69,3 +69,12 @@ std::ostream& operator<<(std::ostream& out, const HardScene& scene)
   }
   return out << " };\n";
 }
+
+Terrain WithoutInfinities(Terrain terrain)
+{
+  for (double& height : terrain.heights)
+  {
+    height = std::isinf(height) ? NoData : height;
+  }
+  return terrain;
+}

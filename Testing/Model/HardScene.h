@@ -23,4 +23,7 @@ struct HardScene
 /// The scene as C++ that builds it again, bit for bit.
 std::ostream& operator<<(std::ostream& out, const HardScene& scene);
 
+/// With no data where heights are infinite.
+Terrain WithoutInfinities(Terrain terrain);
+
 #endif

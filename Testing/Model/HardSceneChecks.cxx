@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HardSceneChecks.h"
 
-#include "PacketThickness.h"
-#include "PreparedTerrain.h"
-#include "SceneShading.h"
+#include "RayThickness.h"
 #include "SweepThickness.h"
-#include "ThicknessOracle.h"
 
 #include <algorithm>
 #include <functional>
@@ -16,187 +13,10 @@ namespace
 using oracle::Real;
 using relief::Light;
 
-// The relative spacing of the numbers in which a method computes.
-Real EpsilonOf(Method method)
-{
-  return method == Method::Reference ? Real(0x1p-52) : Real(0x1p-23);
-}
-
-// How far d may be from that of heights moved: the division t / r, the sum of r, and the few
-// operations in a cell that are no error of a height.
-Real RoundingOf(const HardScene& scene, Method method)
-{
-  // At depth 0 the oracle's limit is that of a depth of 1e-10 samples, or of the way to the light.
-  const double depth = scene.medium.depth;
-  const Real digits =
-    depth > 0.0 ? 16 * std::numeric_limits<double>::denorm_min() / Real(depth) : Real(6e-8);
-  return 16 * std::max(EpsilonOf(method), digits);
-}
-
-Terrain WithoutInfinities(Terrain terrain)
-{
-  for (double& height : terrain.heights)
-  {
-    height = std::isinf(height) ? NoData : height;
-  }
-  return terrain;
-}
-
 bool HasHoles(const Terrain& terrain)
 {
   return std::any_of(
     terrain.heights.begin(), terrain.heights.end(), [](double h) { return !std::isfinite(h); });
-}
-
-// Greatest less least height.
-Real ReliefOf(const Terrain& terrain)
-{
-  Real lo = oracle::Infinity;
-  Real hi = -oracle::Infinity;
-  for (double height : terrain.heights)
-  {
-    lo = std::isfinite(height) ? std::min(lo, Real(height)) : lo;
-    hi = std::isfinite(height) ? std::max(hi, Real(height)) : hi;
-  }
-  return hi > lo ? hi - lo : Real(0);
-}
-
-Real UnitOf(const HardScene& scene, Method method)
-{
-  return EpsilonOf(method) * (ReliefOf(scene.terrain) + scene.medium.depth);
-}
-
-// The values of d that heights within a distance have.
-struct Span
-{
-  Real lo = oracle::Infinity;
-  Real hi = -oracle::Infinity;
-
-  void Add(Real d)
-  {
-    this->lo = std::min(this->lo, d);
-    this->hi = std::max(this->hi, d);
-  }
-  bool Holds(Real d, Real rounding) const
-  {
-    return d >= this->lo - rounding && d <= this->hi + rounding;
-  }
-};
-
-// All of them, and at depth 0, where a shadow's edge is a jump, what they may be on either side.
-struct Spans
-{
-  Span all;
-  std::vector<Span> sides;
-
-  bool Hold(Real d, Real rounding) const
-  {
-    return this->sides.empty() ? this->all.Holds(d, rounding)
-                               : std::any_of(this->sides.begin(), this->sides.end(),
-                                   [&](const Span& side) { return side.Holds(d, rounding); });
-  }
-};
-
-// d at the start of a ray; at depth 0 by the definition of the limit, of a depth so small that the
-// surface about the sample is flat.
-Real IlluminationOf(const HardScene& scene, const Light& light, int i, int j, oracle::Nudge nudge,
-  Real epsilon, Real stretch)
-{
-  const Terrain& terrain = scene.terrain;
-  const relief::f64::ReliefMedium& medium = scene.medium;
-  oracle::Ray ray = oracle::RayOf(terrain, medium, light, i, j);
-  nudge.close = oracle::CloseTo(terrain, ray, epsilon);
-  const Real r = oracle::Thickness(terrain, medium, ray, nudge) * (1 + stretch);
-  if (medium.depth > 0.0 || std::isinf(r) || ray.length == 0 ||
-    medium.attenuation == relief::f64::RELIEF_EXPONENTIAL)
-  {
-    return std::isinf(r) ? Real(0) : oracle::Illumination(medium, r);
-  }
-  if (r > 0)
-  {
-    return 0;
-  }
-  const Real way = std::min({ ray.length, Real(terrain.spacingX), Real(terrain.spacingY) });
-  relief::f64::ReliefMedium sunk = medium;
-  sunk.depth = static_cast<double>(1e-10L * way);
-  ray = oracle::RayOf(terrain, sunk, light, i, j);
-  ray.length = 1e-3L * way;
-  return oracle::Illumination(sunk, oracle::Thickness(terrain, sunk, ray, nudge));
-}
-
-// What may differ between a computation and the oracle.
-struct Slack
-{
-  Real distance;        ///< heights, and a lamp's and the floor's
-  Real epsilon;         ///< relative: how close to the corner of a hole a ray meets it or not
-  bool lateral = false; ///< whether the ray moves and turns by epsilon as well
-};
-
-Spans SpansOf(const HardScene& scene, const Light& light, int i, int j, const Slack& slack)
-{
-  HardScene moved = scene;
-  moved.terrain = WithoutInfinities(scene.terrain);
-  const bool limit = scene.medium.depth == 0.0;
-  // A dense material tells r from t to the last digit of either.
-  const bool dense = scene.medium.attenuation == relief::f64::RELIEF_EXPONENTIAL;
-  const int lifts = slack.distance > 0 ? 1 : 0;
-  const int moves = light.positional ? lifts : 0;
-  Spans spans;
-  for (int tie = -1; tie <= 1; ++tie)
-  {
-    Span lit;
-    Span dark;
-    for (int lift = -lifts; lift <= lifts; ++lift)
-    {
-      Span side; // as a lamp moves, d changes gradually
-      for (int move = -moves; move <= moves; ++move)
-      {
-        for (int lateral = slack.lateral ? 0 : 13; lateral < (slack.lateral ? 27 : 14); ++lateral)
-        {
-          for (int stretch = dense ? -1 : 0; stretch <= (dense ? 1 : 0); ++stretch)
-          {
-            Light lamp = light;
-            lamp.vector.z += static_cast<double>(move * slack.distance);
-            moved.medium.floorHeight =
-              static_cast<double>(scene.medium.floorHeight - lift * slack.distance);
-            oracle::Nudge nudge;
-            nudge.stays = true;
-            nudge.raise = lift * slack.distance;
-            nudge.tie = tie;
-            // Its start by the rounding of the normal, too.
-            const Terrain& terrain = moved.terrain;
-            const Real depth = moved.medium.depth;
-            nudge.x =
-              (lateral % 3 - 1) * slack.epsilon * (terrain.columns + depth / terrain.spacingX);
-            nudge.y =
-              (lateral / 3 % 3 - 1) * slack.epsilon * (terrain.rows + depth / terrain.spacingY);
-            nudge.turn = (lateral / 9 - 1) * slack.epsilon;
-            const Real d =
-              IlluminationOf(moved, lamp, i, j, nudge, slack.epsilon, 8 * stretch * slack.epsilon);
-            spans.all.Add(d);
-            side.Add(d);
-            (d > 0 ? lit : dark).Add(d);
-          }
-        }
-      }
-      if (limit)
-      {
-        spans.sides.push_back(side);
-      }
-    }
-    if (limit)
-    {
-      spans.sides.push_back(lit);
-      spans.sides.push_back(dark);
-    }
-  }
-  return spans;
-}
-
-// What rounding may make of d by moving heights by so many units.
-Slack SlackOf(const HardScene& scene, Method method, double units)
-{
-  return { units * UnitOf(scene, method), std::max(units, 1.0) * EpsilonOf(method) };
 }
 
 // Whether a lamp is so close to a ray's start that their distance is made of the last digits of
@@ -205,6 +25,13 @@ bool IsNextTo(const Terrain& terrain, const oracle::Ray& ray)
 {
   return ray.length <
     1e-6L * std::max(terrain.columns * terrain.spacingX, terrain.rows * terrain.spacingY);
+}
+
+// Whether a sun's rays are traced one by one; then d differs from the swept one by rounding.
+bool IsSweptAlone(const HardScene& scene)
+{
+  return relief::SweepThickness::IsExtreme(
+    static_cast<double>(ReliefOf(scene.terrain) + scene.medium.depth));
 }
 
 std::string Describe(Method method, std::size_t light, int i, int j)
@@ -287,166 +114,6 @@ std::string Compare(const HardScene& scene, Method method, std::size_t light, in
     onlyBrighter ? " or less, and at most " : "; rounding allows ", spans.all.lo, " to ",
     spans.all.hi);
 }
-}
-
-const char* NameOf(Method method)
-{
-  switch (method)
-  {
-    case Method::Reference:
-      return "reference";
-    case Method::Rays:
-      return "rays";
-    case Method::Sweep:
-      return "sweep";
-    case Method::Packets:
-      return "packets";
-    default:
-      return "scene";
-  }
-}
-
-HardTracer::HardTracer(const HardScene& scene)
-  : Scene(scene)
-  , Exact(std::make_unique<Samples<double>>(WithoutInfinities(scene.terrain)))
-{
-  this->Refusal = Assign(scene.terrain, this->Field);
-}
-
-bool HardTracer::Applies(Method method, const Light& light) const
-{
-  return method != Method::Sweep || relief::SweepThickness::Applies(this->Scene.medium, light);
-}
-
-Traced<double> HardTracer::Trace(Method method, const Light& light) const
-{
-  if (method == Method::Reference)
-  {
-    return ::Trace<double>(this->Exact->WithoutBounds(), this->Scene.medium, light);
-  }
-
-  // The field's heights count from its datum.
-  Light lowered = light;
-  lowered.vector.z -= light.positional ? this->Field.GetDatum() : 0.0;
-  relief::f64::ReliefMedium medium = this->Scene.medium;
-  medium.floorHeight -= this->Field.GetDatum();
-  const relief::Field<float>& field = this->Field.GetField();
-  const int columns = field.heights.columns;
-  const int rows = field.heights.rows;
-  Traced<double> result;
-  result.d.assign(static_cast<std::size_t>(columns) * rows, NoData);
-  result.r = result.d;
-  auto keep = [&](int i, int j, float d, float r)
-  {
-    if (i < columns && j < rows && !std::isnan(field.heights.At(i, j)))
-    {
-      result.d[static_cast<std::size_t>(j) * columns + i] = d;
-      result.r[static_cast<std::size_t>(j) * columns + i] = r;
-    }
-  };
-
-  if (method == Method::Scene)
-  {
-    relief::Scene whole;
-    whole.medium = medium;
-    whole.lights = { lowered };
-    std::vector<float> d(result.d.size());
-    std::vector<float> r(result.r.size());
-    relief::Target target;
-    target.width = columns;
-    target.illumination = d.data();
-    target.thickness = medium.tolerance == 0.0 ? r.data() : nullptr; // which is always exact
-    relief::SceneShading(this->Field, whole, target).Shade(0, columns, 0, rows);
-    for (std::size_t at = 0; at < d.size(); ++at)
-    {
-      result.d[at] = d[at];
-      result.r[at] = r[at];
-    }
-    return result;
-  }
-  if (method == Method::Sweep)
-  {
-    using relief::SweepThickness;
-    const SweepThickness sweep(this->Field, medium, lowered);
-    for (int row = 0; row * SweepThickness::TileHeight < rows; ++row)
-    {
-      for (int column = 0; column * SweepThickness::TileWidth < columns; ++column)
-      {
-        float d[SweepThickness::TileSize];
-        float r[SweepThickness::TileSize];
-        sweep.IlluminateTile(column, row, d, r, result.count);
-        for (int at = 0; at < SweepThickness::TileSize; ++at)
-        {
-          keep(column * SweepThickness::TileWidth + at % SweepThickness::TileWidth,
-            row * SweepThickness::TileHeight + at / SweepThickness::TileWidth, d[at], r[at]);
-        }
-      }
-    }
-    return result;
-  }
-  std::vector<glm::vec3> normals(columns);
-  std::vector<float> d(columns);
-  std::vector<float> r(columns);
-  for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      normals[i] = relief::f32::reliefNormal(field, i, j);
-    }
-    relief::RowRequest<float> request;
-    request.j = j;
-    request.end = columns;
-    request.normals =
-      medium.offset == relief::f64::RELIEF_SURFACE_NORMAL ? normals.data() : nullptr;
-    request.illumination = d.data();
-    request.thickness = r.data();
-    (method == Method::Rays ? relief::TraceRow<float, float> : relief::TracePackets)(
-      field, relief::ToSingle(medium), lowered, request, result.count);
-    for (int i = 0; i < columns; ++i)
-    {
-      keep(i, j, d[i], r[i]);
-    }
-  }
-  return result;
-}
-
-std::vector<float> HardTracer::Count(const Light& light, int steps) const
-{
-  const relief::HeightView<float>& heights = this->Field.GetField().heights;
-  relief::Scene whole;
-  whole.medium = this->Scene.medium;
-  whole.integrator = relief::Integrator::FixedStep;
-  whole.steps = steps;
-  whole.lights = { light };
-  whole.lights[0].vector.z -= light.positional ? this->Field.GetDatum() : 0.0;
-  std::vector<float> d(this->Scene.terrain.heights.size());
-  relief::Target target;
-  target.width = heights.columns;
-  target.illumination = d.data();
-  relief::SceneShading(this->Field, whole, target).Shade(0, heights.columns, 0, heights.rows);
-  return d;
-}
-
-double BackwardError(
-  const HardScene& scene, const Light& light, int i, int j, double d, Method method, double most)
-{
-  const Real rounding = RoundingOf(scene, method);
-  for (double units = 0.0; units <= most; units = units == 0.0 ? 1.0 : 2.0 * units)
-  {
-    if (SpansOf(scene, light, i, j, SlackOf(scene, method, units)).Hold(d, rounding))
-    {
-      return units;
-    }
-  }
-  return Infinite;
-}
-
-bool IsJump(const HardScene& scene, const Light& light, int i, int j, double d, Method method)
-{
-  Slack slack = SlackOf(scene, method, 4.0);
-  slack.lateral = true;
-  return SpansOf(scene, light, i, j, slack)
-    .Hold(d, std::max(RoundingOf(scene, method), 16 * slack.epsilon));
 }
 
 std::string CheckRange(const HardScene& scene)
@@ -636,20 +303,6 @@ std::string CheckMirrors(const HardScene& scene)
   return std::string();
 }
 
-// Whether a sun's rays are traced one by one; then its d differs from the swept one by rounding.
-static bool IsSweptAlone(const HardScene& scene)
-{
-  return relief::SweepThickness::IsExtreme(
-    static_cast<double>(ReliefOf(scene.terrain) + scene.medium.depth));
-}
-
-static bool IsExplained(
-  const HardScene& scene, std::size_t light, int i, int j, double d, Method method)
-{
-  return BackwardError(scene, scene.lights[light], i, j, d, method, MostUnits) <= MostUnits ||
-    IsJump(scene, scene.lights[light], i, j, d, method);
-}
-
 std::string CheckScaling(const HardScene& scene)
 {
   if (scene.medium.depth > 0.0 && scene.medium.depth < 1e-25)
@@ -685,7 +338,8 @@ std::string CheckScaling(const HardScene& scene)
           [&](int i, int j, std::size_t at)
           {
             const bool same = a.d[at] == b.d[at] && a.r[at] * scale == b.r[at];
-            return same || (!sameBits && IsExplained(scaled, light, i, j, b.d[at], method))
+            return same ||
+                (!sameBits && IsExplained(scaled, scaled.lights[light], i, j, b.d[at], method))
               ? std::string()
               : Text(Describe(method, light, i, j), "times ", scale, ": d = ", b.d[at], ", not ",
                   a.d[at], "; r = ", b.r[at], ", not ", a.r[at] * scale);
