@@ -126,6 +126,28 @@ private:
   bool SideBySide = false;
 };
 
+// A place between two samples, counted from the nearer one, as reliefEdgeHeight() does.
+struct Between
+{
+  HWY_INLINE Between(Tag tag, Vector place, Vector cell)
+  {
+    const Vector before = hn::Sub(place, cell);
+    const Vector after = hn::Sub(hn::Add(cell, hn::Set(tag, 1.0f)), place);
+    this->Far = hn::Lt(after, before);
+    this->Weight = hn::Max(hn::Min(before, after), hn::Zero(tag));
+  }
+
+  HWY_INLINE Vector At(Tag, Vector first, Vector second) const
+  {
+    const Vector near = hn::IfThenElse(this->Far, second, first);
+    const Vector other = hn::IfThenElse(this->Far, first, second);
+    return hn::MulAdd(hn::Sub(other, near), this->Weight, near);
+  }
+
+  Mask Far;
+  Vector Weight;
+};
+
 // Traces the active rays of a packet. Its samples are (i, j), (i + 1, j), ... Rays that have come
 // to their end go on beside the others, without counting, which keeps the packet's cells side by
 // side.
@@ -221,7 +243,9 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
   const Vector widest = marginAt(hn::IfThenZeroElse(hn::Eq(dz, zero), hn::Mul(to, dz)));
 
   const int stepsBetweenLooks = 6;
-  int untilLook = 0;  // steps to the next look for something to skip
+  // Steps to the next look for something to skip. Rays sunk along the normal may first cross a grid
+  // line just beside their sample, where only the careful steps keep the sample's height apart.
+  int untilLook = medium.offset == f32::RELIEF_SURFACE_NORMAL ? 2 : 0;
   float reach = 8.0f; // how many cells to look ahead
   float twist =
     Infinity; // no patch in the stretch looked at is more twisted; infinite where it has holes
@@ -315,8 +339,6 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
     const Mask throughX = hn::Le(exitX, exitY);
     const Vector s1 = hn::Max(hn::Min(exitX, exitY), s);
     const Vector length = hn::Sub(s1, s);
-    const Vector share = hn::IfThenElse(
-      throughX, hn::Sub(hn::MulAdd(dy, s1, y), cellY), hn::Sub(hn::MulAdd(dx, s1, x), cellX));
     const auto throughXInts = hn::RebindMask(intTag, throughX);
     // Rays whose stretch begins or ends in this cell.
     const Mask ending = hn::AndNot(hn::Lt(s1, to), active);
@@ -345,6 +367,8 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
         first = reader.Gather(tag, hn::Add(index, edge), active);
         second = reader.Gather(tag, hn::Add(index, other), active);
       }
+      const Vector share = hn::IfThenElse(
+        throughX, hn::Sub(hn::MulAdd(dy, s1, y), cellY), hn::Sub(hn::MulAdd(dx, s1, x), cellX));
       next = hn::MulAdd(hn::Sub(second, first), share, hn::Sub(first, base));
       const Vector a = above;
       const Vector b = hn::Sub(next, hn::Sub(hn::Mul(s1, dz), sink));
@@ -394,15 +418,16 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
       // A ray that comes out of a hole or from a skipped stretch meets the patch where it is.
       if (!hn::AllFalse(tag, hn::AndNot(onSurface, active)))
       {
-        const Vector u = hn::Min(hn::Max(hn::Sub(hn::MulAdd(dx, s, x), cellX), zero), one);
-        const Vector v = hn::Min(hn::Max(hn::Sub(hn::MulAdd(dy, s, y), cellY), zero), one);
-        const Vector south0 = hn::MulAdd(hn::Sub(h10, h00), u, h00);
-        const Vector north0 = hn::MulAdd(hn::Sub(h11, h01), u, h01);
-        const Vector here = hn::MulAdd(hn::Sub(north0, south0), v, south0);
+        const Between alongRow(tag, hn::MulAdd(dx, s, x), cellX);
+        const Between alongColumn(tag, hn::MulAdd(dy, s, y), cellY);
+        const Vector here =
+          alongColumn.At(tag, alongRow.At(tag, h00, h10), alongRow.At(tag, h01, h11));
         ground = hn::IfThenElse(hn::Or(onSurface, hole), ground, here);
       }
-      next = hn::IfThenElse(hole, ground,
-        hn::MulAdd(hn::Sub(second, first), hn::Min(hn::Max(share, zero), one), first));
+      const Between alongEdge(tag,
+        hn::IfThenElse(throughX, hn::MulAdd(dy, s1, y), hn::MulAdd(dx, s1, x)),
+        hn::IfThenElse(throughX, cellY, cellX));
+      next = hn::IfThenElse(hole, ground, alongEdge.At(tag, first, second));
 
       Vector begin = s;
       Vector end = s1;

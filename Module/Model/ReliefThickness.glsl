@@ -213,10 +213,14 @@ RELIEF_FIELD_FN real reliefStartHeight(RELIEF_FIELD field, ReliefRay ray)
 
 // Height at length s of a ray that crosses there a grid line between two samples: for axis 0 a line of
 // constant x between the rows j and j + 1, for axis 1 one of constant y between the columns i and i + 1.
+// From the nearer of the two: beside the start's own sample rounding counts as little as the other weighs.
 RELIEF_FN real reliefEdgeHeight(ReliefRay ray, int axis, int i, int j, real s, real first, real second)
 {
-  real share = axis == 0 ? ray.y + ray.dy * s - real(j - ray.j) : ray.x + ray.dx * s - real(i - ray.i);
-  return first + (second - first) * clamp(share, real(0.0f), real(1.0f));
+  real place = axis == 0 ? ray.y + ray.dy * s : ray.x + ray.dx * s;
+  int line = axis == 0 ? j - ray.j : i - ray.i;
+  real before = max(place - real(line), real(0.0f));
+  real after = max(real(line + 1) - place, real(0.0f));
+  return before <= after ? first + (second - first) * before : second + (first - second) * after;
 }
 
 // What rounding makes of a ray's height at length s.

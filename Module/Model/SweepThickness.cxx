@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 // Compiles the rest of this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
@@ -305,7 +306,13 @@ SweepThickness::SweepThickness(
     cell.firstY = cell.secondY = !throughX && dy > 0.0 ? y + 1 : y;
     ++(throughX ? cell.secondY : cell.secondX);
     const double place = throughX ? dy * next - y : dx * next - x;
-    cell.weight = static_cast<float>(std::min(std::max(place, 0.0), 1.0));
+    if (place > 0.5)
+    {
+      // From the nearer sample, as reliefEdgeHeight().
+      std::swap(cell.firstX, cell.secondX);
+      std::swap(cell.firstY, cell.secondY);
+    }
+    cell.weight = static_cast<float>(std::max(std::min(place, 1.0 - place), 0.0));
     cell.length = static_cast<float>(next - s);
     cell.touches = next - s <= f64::RELIEF_TOUCH * next;
     cell.rise = static_cast<float>(next * dz - depth);

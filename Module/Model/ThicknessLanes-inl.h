@@ -92,7 +92,7 @@ public:
     , Depth(medium.depth)
     , Twice(2.0f * medium.tolerance)
     , Density(medium.density)
-    // exp(-a (r - t)) <= 2 epsilon from this thickness on.
+    // exp(-a (r - t)) <= 2 epsilon beyond this thickness.
     , Dark(this->Exponential ? medium.depth - std::log(std::min(this->Twice, 1.0f)) / medium.density
                              : 0.0f)
   {
@@ -104,9 +104,9 @@ public:
     if (this->Exponential)
     {
       // The slope of d is at most a. Of an endless rest, which lets nothing through, it says
-      // nothing.
+      // nothing. A dense material is dark right behind the depth, at which it is not yet.
       const Mask endless = hn::Eq(rest, hn::Set(tag, std::numeric_limits<float>::infinity()));
-      return hn::And(hn::Lt(thickness, hn::Set(tag, this->Dark)),
+      return hn::And(hn::Le(thickness, hn::Set(tag, this->Dark)),
         hn::Or(endless, hn::Gt(hn::Mul(rest, hn::Set(tag, this->Density)), twice)));
     }
     // At depth 0 nothing gets through any thickness at all.

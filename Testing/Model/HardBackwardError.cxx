@@ -79,6 +79,9 @@ Spans SpansOf(const HardScene& scene, const Light& light, int i, int j, const Sl
   const bool dense = scene.medium.attenuation == relief::f64::RELIEF_EXPONENTIAL;
   const int lifts = slack.distance > 0 ? 1 : 0;
   const int moves = light.positional ? lifts : 0;
+  const Terrain& terrain = moved.terrain;
+  const bool turns = slack.lateral != Lateral::None;
+  const Real image = slack.lateral == Lateral::Image ? 1 : 0;
   Spans spans;
   for (int tie = -1; tie <= 1; ++tie)
   {
@@ -89,7 +92,7 @@ Spans SpansOf(const HardScene& scene, const Light& light, int i, int j, const Sl
       Span side; // as a lamp moves, d changes gradually
       for (int move = -moves; move <= moves; ++move)
       {
-        for (int lateral = slack.lateral ? 0 : 13; lateral < (slack.lateral ? 27 : 14); ++lateral)
+        for (int turn = turns ? 0 : 13; turn < (turns ? 27 : 14); ++turn)
         {
           for (int stretch = dense ? -1 : 0; stretch <= (dense ? 1 : 0); ++stretch)
           {
@@ -101,14 +104,11 @@ Spans SpansOf(const HardScene& scene, const Light& light, int i, int j, const Sl
             nudge.stays = true;
             nudge.raise = lift * slack.distance;
             nudge.tie = tie;
-            // Its start by the rounding of the normal, too.
-            const Terrain& terrain = moved.terrain;
-            const Real depth = moved.medium.depth;
-            nudge.x =
-              (lateral % 3 - 1) * slack.epsilon * (terrain.columns + depth / terrain.spacingX);
-            nudge.y =
-              (lateral / 3 % 3 - 1) * slack.epsilon * (terrain.rows + depth / terrain.spacingY);
-            nudge.turn = (lateral / 9 - 1) * slack.epsilon;
+            nudge.x = (turn % 3 - 1) * slack.epsilon *
+              (image * terrain.columns + scene.medium.depth / terrain.spacingX);
+            nudge.y = (turn / 3 % 3 - 1) * slack.epsilon *
+              (image * terrain.rows + scene.medium.depth / terrain.spacingY);
+            nudge.turn = (turn / 9 - 1) * slack.epsilon;
             const Real d =
               IlluminationOf(moved, lamp, i, j, nudge, slack.epsilon, 8 * stretch * slack.epsilon);
             spans.all.Add(d);
@@ -153,9 +153,16 @@ double BackwardError(
 bool IsJump(const HardScene& scene, const Light& light, int i, int j, double d, Method method)
 {
   Slack slack = SlackOf(scene, method, 4.0);
-  slack.lateral = true;
-  return SpansOf(scene, light, i, j, slack)
-    .Hold(d, std::max(RoundingOf(scene, method), 16 * slack.epsilon));
+  const Real rounding = std::max(RoundingOf(scene, method), 16 * slack.epsilon);
+  for (Lateral lateral : { Lateral::Depth, Lateral::Image })
+  {
+    slack.lateral = lateral;
+    if (SpansOf(scene, light, i, j, slack).Hold(d, rounding))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool IsExplained(const HardScene& scene, const Light& light, int i, int j, double d, Method method)

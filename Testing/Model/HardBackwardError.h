@@ -55,12 +55,21 @@ struct Spans
   }
 };
 
+/// Whether a ray moves and turns by rounding, too: not at all, by that of the depth along its
+/// normal, or by that of places in the image as well.
+enum class Lateral
+{
+  None,
+  Depth,
+  Image
+};
+
 /// What may differ between a computation and the oracle.
 struct Slack
 {
   oracle::Real distance; ///< heights, and a lamp's and the floor's
   oracle::Real epsilon;  ///< relative: how close to the corner of a hole a ray meets it or not
-  bool lateral = false;  ///< whether the ray moves and turns by epsilon as well
+  Lateral lateral = Lateral::None;
 };
 
 Spans SpansOf(const HardScene& scene, const relief::Light& light, int i, int j, const Slack& slack);

@@ -226,6 +226,17 @@ std::vector<HardCase> MakeCases()
   }
   cases.back().scene.terrain.spacingX = cases.back().scene.terrain.spacingY = 1e-3;
 
+  // Points sunk along the normal, a hair's breadth from where the ray crosses a line of the grid.
+  Terrain crest(3, 3, 59.0, 160.0);
+  crest.heights = { 0.0, 0.0, 0.0, 246.0, 241.0, 536.0, 0.0, 0.0, 0.0 };
+  add("CrestSkimmed", "a ray past its own sample, by a millionth of what the next ones are higher",
+    crest, Sunk(0.0006, RELIEF_SURFACE_NORMAL),
+    { Lamp(-454, 182, 299), Lamp(-454, 138, 299), Lamp(572, 182, 299) });
+  Terrain saddle(3, 3);
+  saddle.heights = { 0.0, 4.0, 0.0, 3.0, 2.0, 5.0, 0.0, 4.0, 0.0 };
+  add("AlongNormalAndSurface", "a ray back through its own sample and on along the surface", saddle,
+    Sunk(1e-6, RELIEF_SURFACE_NORMAL), { Sun(-90, 45), Sun(-90, 44.9) });
+
   // Spacings.
   add("Spacing1To1000", "a sample a thousand times as long as wide", Spaced(rough, 1.0, 1000.0),
     half, { Sun(111, 30), Sun(45, 30), Sun(0, 1), Lamp(4, 3000, 3) });
@@ -272,6 +283,8 @@ std::vector<HardCase> MakeCases()
     WithFloor(half, h), { Sun(111, 30), Sun(45, -30), Sun(0, 0), Lamp(4, 3, h - 2) });
   add("FloorAtDepthZero", "a floor where rays begin", Level(), WithFloor(Sunk(0.0), 0.0),
     { Sun(111, 30) }, Everywhere(1.0));
+  add("FloorNextToDepthZero", "a floor next to where rays begin", Level(),
+    WithFloor(Sunk(0.0), -3e-11), { Lamp(4, 3, 5), Sun(111, 30) });
   return cases;
 }
 
