@@ -13,7 +13,7 @@ Real EpsilonOf(Method method)
 
 Real RoundingOf(const HardScene& scene, Method method)
 {
-  // At depth 0 the oracle's limit is that of a depth of 1e-10 samples, or of the way to the light.
+  // At depth 0 the oracle's limit is that of a depth, so small that it is none beside the samples.
   const double depth = scene.medium.depth;
   const Real digits =
     depth > 0.0 ? 16 * std::numeric_limits<double>::denorm_min() / Real(depth) : Real(6e-8);
@@ -42,11 +42,12 @@ namespace
 // d at the start of a ray; at depth 0 by the definition of the limit, of a depth so small that the
 // surface about the sample is flat.
 Real IlluminationOf(const HardScene& scene, const Light& light, int i, int j, oracle::Nudge nudge,
-  Real epsilon, Real stretch)
+  Real epsilon, Real stretch, Real cut)
 {
   const Terrain& terrain = scene.terrain;
   const relief::f64::ReliefMedium& medium = scene.medium;
   oracle::Ray ray = oracle::RayOf(terrain, medium, light, i, j);
+  ray.length -= std::isinf(ray.length) ? Real(0) : cut * ray.length;
   nudge.close = oracle::CloseTo(terrain, ray, epsilon);
   const Real r = oracle::Thickness(terrain, medium, ray, nudge) * (1 + stretch);
   if (medium.depth > 0.0 || std::isinf(r) || ray.length == 0 ||
@@ -63,9 +64,9 @@ Real IlluminationOf(const HardScene& scene, const Light& light, int i, int j, or
   const Real toFloor = Real(terrain.At(i, j)) - medium.floorHeight;
   const Real room = medium.useFloor && toFloor > 0 ? std::min(way, toFloor) : way;
   relief::f64::ReliefMedium sunk = medium;
-  sunk.depth = static_cast<double>(1e-10L * room);
+  sunk.depth = static_cast<double>(1e-16L * room);
   ray = oracle::RayOf(terrain, sunk, light, i, j);
-  ray.length = 1e-3L * way;
+  ray.length = 1e-9L * way;
   return oracle::Illumination(sunk, oracle::Thickness(terrain, sunk, ray, nudge));
 }
 }
@@ -79,6 +80,7 @@ Spans SpansOf(const HardScene& scene, const Light& light, int i, int j, const Sl
   const bool dense = scene.medium.attenuation == relief::f64::RELIEF_EXPONENTIAL;
   const int lifts = slack.distance > 0 ? 1 : 0;
   const int moves = light.positional ? lifts : 0;
+  const int cuts = moves; // a ray may end a little before its lamp
   const Terrain& terrain = moved.terrain;
   const bool turns = slack.lateral != Lateral::None;
   const Real image = slack.lateral == Lateral::Image ? 1 : 0;
@@ -109,11 +111,14 @@ Spans SpansOf(const HardScene& scene, const Light& light, int i, int j, const Sl
             nudge.y = (turn / 3 % 3 - 1) * slack.epsilon *
               (image * terrain.rows + scene.medium.depth / terrain.spacingY);
             nudge.turn = (turn / 9 - 1) * slack.epsilon;
-            const Real d =
-              IlluminationOf(moved, lamp, i, j, nudge, slack.epsilon, 8 * stretch * slack.epsilon);
-            spans.all.Add(d);
-            side.Add(d);
-            (d > 0 ? lit : dark).Add(d);
+            for (int cut = 0; cut <= cuts; ++cut)
+            {
+              const Real d = IlluminationOf(moved, lamp, i, j, nudge, slack.epsilon,
+                8 * stretch * slack.epsilon, 8 * cut * slack.epsilon);
+              spans.all.Add(d);
+              side.Add(d);
+              (d > 0 ? lit : dark).Add(d);
+            }
           }
         }
       }

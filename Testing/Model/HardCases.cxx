@@ -260,6 +260,14 @@ std::vector<HardCase> MakeCases()
     Everywhere(1.0));
   add("Density1e30", "a material that lets nothing through", rough, Dense(1e30),
     { Sun(111, 30), Sun(0, 90), Lamp(4, 3, 3) });
+  ReliefMedium opaque = Dense(5e29);
+  opaque.depth = 1.0;
+  opaque.offset = RELIEF_SURFACE_NORMAL;
+  Terrain steps(5, 3);
+  steps.heights = { 0, 0, 0, -34.280296325683594, 0, 0, -36, -35.280296325683594,
+    -34.280296325683594, -35.280296325683594, 0, 0, 0, -34.280296325683594, 0 };
+  add("OpaqueAtTheDepth", "a ray that has run inside for just t, where d falls from 1 to 0", steps,
+    opaque, { Lamp(0, 1, -35.280296325683594) });
 
   // Holes.
   add("Checkerboard", "no cell has all its corners: level ground",

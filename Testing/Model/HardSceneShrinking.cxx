@@ -2,37 +2,40 @@
 #include "HardSceneShrinking.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <utility>
 
 namespace
 {
 using relief::Light;
 
+// How much there is to read in a number: its shortest decimal text, then its size. A number is only
+// ever replaced by one of less, so that shrinking ends.
+std::pair<std::ptrdiff_t, double> ComplexityOf(double x)
+{
+  std::array<char, 32> text;
+  const char* end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
+  return { end - text.data(), std::abs(x) };
+}
+
 // Numbers that read more easily than x, the simplest first; none where x is as simple as can be.
 std::vector<double> Simpler(double x)
 {
-  std::vector<double> result;
   if (!std::isfinite(x))
   {
     return { 0.0 };
   }
   const double whole = std::trunc(x);
-  for (double candidate :
-    { 0.0, 1.0, std::trunc(x / 2.0), whole - std::copysign(1.0, x), whole, std::round(x) })
+  std::vector<double> result = { 0.0, 1.0, std::trunc(x / 2.0), whole - std::copysign(1.0, x),
+    whole, std::round(x) };
+  for (int digits = 0; x != 0.0 && digits < 7; ++digits)
   {
-    result.push_back(candidate);
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(x))) - digits);
+    result.push_back(std::round(x / unit) * unit);
   }
-  if (x != 0.0)
-  {
-    for (int digits = 0; digits < 7; ++digits)
-    {
-      const double unit = std::pow(10.0, std::floor(std::log10(std::abs(x))) - digits);
-      result.push_back(std::round(x / unit) * unit);
-    }
-  }
-  // Only what is simpler: 0, then 1, then smaller, then by the number of digits: the order above.
-  const auto own = std::find(result.begin(), result.end(), x);
-  result.erase(own, result.end());
+  auto isNoSimpler = [x](double candidate) { return ComplexityOf(candidate) >= ComplexityOf(x); };
+  result.erase(std::remove_if(result.begin(), result.end(), isNoSimpler), result.end());
   return result;
 }
 

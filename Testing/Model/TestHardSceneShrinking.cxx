@@ -88,3 +88,23 @@ TEST(HardSceneShrinking, FindsThePlantedFault)
   }
   EXPECT_EQ(tried, 10);
 }
+
+// Of numbers that have no short decimal form, too.
+TEST(HardSceneShrinking, Ends)
+{
+  HardScene scene;
+  scene.terrain = Terrain(2, 2);
+  scene.terrain.heights = { 1e30, -35.280296325683594, 3e-38, 0.30000000000000004 };
+  scene.medium = Sunk(1e-310);
+  scene.medium.density = 1e30;
+  scene.lights = { Lamp(-1e9, 1e-9, 0.99999999999999989) };
+  const HardScene small = Shrink(scene,
+    [](const HardScene& candidate)
+    {
+      const std::vector<double>& heights = candidate.terrain.heights;
+      return candidate.medium.density >= 4e29 && candidate.medium.depth < 1e-309 &&
+        candidate.lights[0].vector.x < -3e8 && heights.size() == 4 && heights[1] <= -35.28;
+    });
+  EXPECT_EQ(small.medium.density, 5e29);
+  EXPECT_EQ(small.terrain.heights[1], -36.0);
+}
