@@ -90,11 +90,21 @@ std::uint32_t FixedSize(const std::string& type)
   return found == sizes.end() ? 0 : found->second;
 }
 
+/// A name from a file, which may be anything, as a message can show it.
+std::string Quoted(const std::string& name)
+{
+  const std::size_t longest = 40;
+  std::string text = name.substr(0, longest);
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return '"' + text + '"';
+}
+
 /// Reads past an OpenEXR attribute's value as the library does, and returns how long it was: of
 /// some types it takes no notice of the size that the file gives.
 std::uint32_t SkipValue(HeaderStream& file, const std::string& type, std::uint32_t size)
 {
-  const std::string what = "a value of type \"" + OneLine(type.substr(0, 40)) + "\"";
+  const std::string what = "a value of type " + Quoted(type);
   if (type == "chlist")
   {
     std::uint32_t length = 1;
@@ -142,8 +152,8 @@ void CheckOpenEXR(HeaderStream& file)
       if (length != size)
       {
         throw Failure(vtkErrorCode::FileFormatError,
-          "the attribute \"" + OneLine(name.substr(0, 40)) + "\" in its header claims " +
-            std::to_string(size) + " bytes, and has " + std::to_string(length));
+          "the attribute " + Quoted(name) + " in its header claims " + std::to_string(size) +
+            " bytes, and has " + std::to_string(length));
       }
     }
   }
@@ -162,7 +172,7 @@ void CheckPNG(HeaderStream& file)
     {
       return; // pixels that end early are the decoder's to report
     }
-    file.Skip(length, "the chunk \"" + OneLine(name) + "\"");
+    file.Skip(length, "the chunk " + Quoted(name));
     file.Take<4>();
   }
 }

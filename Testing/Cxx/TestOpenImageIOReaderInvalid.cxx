@@ -167,6 +167,39 @@ void TestKinds()
   CHECK(small->GetErrorCode() == vtkErrorCode::NoError);
 }
 
+// Headers that claim more bytes than follow, or other ones than their library takes.
+void TestClaims()
+{
+  const std::string exr = Directory + "claims.exr";
+  CHECK(WriteFile(exr, ImageSpec(8, 8, 1, OIIO::TypeFloat), std::vector<float>(64, 1.0f)));
+  const std::string header = FileText(exr);
+  const std::string compression("compression\0compression\0", 24);
+  const std::string window("dataWindow\0box2i\0", 17);
+  CHECK(header.find(compression) != std::string::npos && header.find(window) != std::string::npos);
+
+  std::string bytes = header;
+  bytes[header.find(compression) + compression.size()] = 9;
+  WriteText(exr, bytes);
+  Refused(exr, vtkErrorCode::FileFormatError,
+    "the attribute \"compression\" in its header claims 9 bytes, and has 1");
+
+  // A type that nobody knows, and that a terminal would not show.
+  bytes = header;
+  const size_t end = header.find(window) + window.size();
+  bytes.replace(end - 6, 10, std::string("\x1b\n\xffox\0\x10\0\0\x10", 10));
+  WriteText(exr, bytes);
+  Refused(exr, vtkErrorCode::PrematureEndOfFileError,
+    "a value of type \"???ox\" in its header claims 268435472 bytes");
+
+  const std::string png = Directory + "claims.png";
+  CHECK(WriteFile(png, ImageSpec(8, 8, 1, OIIO::TypeUInt8), Noise(64)));
+  bytes = FileText(png);
+  bytes[8] = 0x7f;
+  WriteText(png, bytes);
+  Refused(png, vtkErrorCode::PrematureEndOfFileError,
+    "the chunk \"IHDR\" in its header claims 2130706445 bytes");
+}
+
 void TestRecovery()
 {
   // A reader that failed reads the next file, larger or smaller than the one before.
@@ -210,6 +243,7 @@ int TestOpenImageIOReaderInvalid(int argc, char* argv[])
   TestNames();
   TestContents();
   TestKinds();
+  TestClaims();
   TestRecovery();
   return Failures;
 }
