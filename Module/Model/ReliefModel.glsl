@@ -8,7 +8,7 @@
 // This text is compiled as it stands as C++17 (ReliefModel.h, in float and in double) and as
 // GLSL 1.50 (ReliefPreludeGLSL.glsl). Dialect: literals end in f; no swizzles; structs have neither
 // initialisers nor methods; outputs are RELIEF_OUT(type).
-// ReliefThickness.glsl, which follows this text, measures the thickness that it needs.
+// ReliefSurface.glsl and ReliefThickness.glsl, which follow this text, measure the thickness that it needs.
 
 // How light travels inside the material. Lengths are in the field's unit.
 struct ReliefMedium

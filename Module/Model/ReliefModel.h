@@ -3,9 +3,9 @@
 #define ReliefModel_h
 
 /// @file
-/// ReliefModel.glsl and ReliefThickness.glsl compiled as C++: once with real = float (namespace
-/// relief::f32, what the filter runs and what a GPU computes) and once with real = double
-/// (relief::f64, the reference).
+/// ReliefModel.glsl, ReliefSurface.glsl and ReliefThickness.glsl compiled as C++: once with real =
+/// float (namespace relief::f32, what the filter runs and what a GPU computes) and once with real =
+/// double (relief::f64, the reference).
 ///
 /// The texts are GLSL as they stand. Here GLM supplies the vectors, the standard library the
 /// functions, and the macros the few spellings in which the languages differ. Functions that read
@@ -46,6 +46,7 @@ RELIEF_USING
 using real = float;
 using real3 = glm::vec3;
 #include "ReliefModel.glsl"
+#include "ReliefSurface.glsl"
 #include "ReliefThickness.glsl"
 }
 
@@ -55,6 +56,7 @@ RELIEF_USING
 using real = double;
 using real3 = glm::dvec3;
 #include "ReliefModel.glsl"
+#include "ReliefSurface.glsl"
 #include "ReliefThickness.glsl"
 }
 }

@@ -8,6 +8,7 @@
 #include "ReliefLightGLSL.h"
 #include "ReliefModelGLSL.h"
 #include "ReliefPreludeGLSL.h"
+#include "ReliefSurfaceGLSL.h"
 #include "ReliefThicknessGLSL.h"
 #include "ReliefTraceFS.h"
 
@@ -117,7 +118,7 @@ std::string TraceProgram(const FieldLayout& layout, const LightFeatures& light)
   AddLayout(features, layout);
   AddLight(features, light);
   return Header + std::string(ReliefPreludeGLSL) + SelectLines(ReliefFieldGLSL, features) +
-    ReliefModelGLSL + ReliefThicknessGLSL + ReliefGridGLSL +
+    ReliefModelGLSL + ReliefSurfaceGLSL + ReliefThicknessGLSL + ReliefGridGLSL +
     SelectLines(ReliefLightGLSL, features) + SelectLines(ReliefTraceFS, features);
 }
 
@@ -148,7 +149,8 @@ std::string GatherProgram(
   addOutput("SCATTER_SUM", sums.scatter);
   addOutput("SPECULAR_SUM", sums.specular);
   text += ReliefPreludeGLSL + SelectLines(ReliefFieldGLSL, features) + ReliefModelGLSL;
-  text += needsRay || needsNormal ? ReliefThicknessGLSL : "";
+  text += needsRay || needsNormal ? ReliefSurfaceGLSL : "";
+  text += needsRay ? ReliefThicknessGLSL : "";
   text += ReliefGridGLSL;
   text += needsRay ? SelectLines(ReliefLightGLSL, features) : std::string();
   return text + SelectLines(ReliefGatherFS, features);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The functions of ReliefModel.glsl, and those of ReliefThickness.glsl that stand alone.
+// The functions of ReliefModel.glsl and ReliefSurface.glsl, and those of ReliefThickness.glsl that
+// stand alone.
 #include "ReliefModel.h"
 #include "TestTerrain.h"
 #include "ThicknessOracle.h"
