@@ -316,7 +316,11 @@ SweepThickness::SweepThickness(
     cell.length = static_cast<float>(next - s);
     cell.touches = next - s <= f64::RELIEF_TOUCH * next;
     cell.rise = static_cast<float>(next * dz - depth);
-    cell.bend = static_cast<float>(dx * (next - s) * dy * (next - s));
+    // A bow that the rounding of heights hides is none: whether its square vanishes, too, would
+    // depend on the unit of length.
+    const double bend = dx * (next - s) * dy * (next - s);
+    cell.bend =
+      std::abs(bend) < std::numeric_limits<float>::epsilon() ? 0.0f : static_cast<float>(bend);
     if (this->Prepared.cells.size() % GroupSize == 0)
     {
       Group group = { static_cast<int>(this->Prepared.cells.size()), 0, x, x, y, y,

@@ -237,6 +237,13 @@ std::vector<HardCase> MakeCases()
   add("AlongNormalAndSurface", "a ray back through its own sample and on along the surface", saddle,
     Sunk(1e-6, RELIEF_SURFACE_NORMAL), { Sun(-90, 45), Sun(-90, 44.9) });
 
+  // Where rounding takes a ray through a cell whose corner it passes.
+  Terrain corners(3, 2, 238.7755161343693, 238.7755161343693);
+  corners.heights = { 0.0, 0.0, 4988451.5, 0.0, 4988451.5, 0.0 };
+  add("BowOfNothing",
+    "a cell that is crossed by a rounding error, bent so little that its square vanishes", corners,
+    Sunk(0.0), { Sun(-45, 0) });
+
   // Spacings.
   add("Spacing1To1000", "a sample a thousand times as long as wide", Spaced(rough, 1.0, 1000.0),
     half, { Sun(111, 30), Sun(45, 30), Sun(0, 1), Lamp(4, 3000, 3) });
