@@ -87,10 +87,13 @@ public:
   /// Bilinear height at a place inside a cell whose corners all have data.
   Real Patch(int i, int j, Real x, Real y) const
   {
-    Real u = x - i;
-    Real v = y - j;
-    return (1 - u) * (1 - v) * this->At(i, j) + u * (1 - v) * this->At(i + 1, j) +
-      (1 - u) * v * this->At(i, j + 1) + u * v * this->At(i + 1, j + 1);
+    // Each weight by its own subtraction: right beside a sample 1 - u would have lost its digits.
+    Real west = i + 1 - x;
+    Real east = x - i;
+    Real south = j + 1 - y;
+    Real north = y - j;
+    return south * (west * this->At(i, j) + east * this->At(i + 1, j)) +
+      north * (west * this->At(i, j + 1) + east * this->At(i + 1, j + 1));
   }
 
   /// The cell of a coordinate: the one after a grid line, the last one for the last line.
