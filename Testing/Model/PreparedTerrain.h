@@ -68,6 +68,55 @@ inline std::vector<double> Reference(
   return result;
 }
 
+/// With each tolerance d is within it of the exact d. `trace` takes a field, a medium and the work
+/// to count, and returns d of every sample.
+template <class Trace>
+void ExpectTolerance(const Terrain& terrain, relief::f64::ReliefMedium medium, Trace&& trace)
+{
+  relief::HeightField field;
+  Prepare(terrain, field);
+  relief::RayCount count;
+  const std::vector<float> exact = trace(field, medium, count);
+  for (double tolerance : { 0.1, 0.02, 0.002 })
+  {
+    medium.tolerance = tolerance;
+    const std::vector<float> traced = trace(field, medium, count);
+    for (std::size_t at = 0; at < traced.size(); ++at)
+    {
+      if (!std::isnan(terrain.heights[at]))
+      {
+        ASSERT_LE(std::abs(traced[at] - exact[at]), tolerance + 1e-5) << "sample " << at;
+      }
+    }
+  }
+}
+
+/// Over rough ground, where most of every low ray lies in the dark, each larger tolerance is less
+/// work.
+template <class Trace>
+void ExpectToleranceSavesWork(Trace&& trace)
+{
+  Random random(6);
+  Terrain terrain(400, 300, 1.0, 1.0);
+  for (double& height : terrain.heights)
+  {
+    height = random.Uniform(0.0, 20.0);
+  }
+  relief::HeightField field;
+  Prepare(terrain, field);
+  relief::f64::ReliefMedium medium = Sunk(1.0, relief::f64::RELIEF_VERTICAL);
+  std::uint64_t before = ~std::uint64_t(0);
+  for (double tolerance : { 0.0, 0.002, 0.02, 0.1 })
+  {
+    medium.tolerance = tolerance;
+    relief::RayCount work;
+    trace(field, medium, work);
+    EXPECT_EQ(work.rays, terrain.heights.size());
+    EXPECT_LT(work.cells, before);
+    before = work.cells;
+  }
+}
+
 /// A test that is run on every instruction set of this machine.
 class EveryTarget : public testing::TestWithParam<std::int64_t>
 {

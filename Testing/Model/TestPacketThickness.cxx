@@ -122,23 +122,11 @@ TEST_P(Packet, KeepsTheTolerance)
   Random random(seed);
   for (int round = 0; round < 60; ++round)
   {
-    RandomScene scene = MakeRandomScene(random);
+    const RandomScene scene = MakeRandomScene(random);
     SCOPED_TRACE(testing::Message() << "scene " << round << ": " << scene);
-    HeightField field;
-    Prepare(scene.terrain, field);
-    const std::vector<float> exact = TraceAll(TracePackets, field, scene.medium, scene.light);
-    for (double tolerance : { 0.1, 0.02, 0.002 })
-    {
-      scene.medium.tolerance = tolerance;
-      const std::vector<float> traced = TraceAll(TracePackets, field, scene.medium, scene.light);
-      for (std::size_t at = 0; at < traced.size(); ++at)
-      {
-        if (!std::isnan(scene.terrain.heights[at]))
-        {
-          ASSERT_LE(std::abs(traced[at] - exact[at]), tolerance + 1e-5) << "sample " << at;
-        }
-      }
-    }
+    ExpectTolerance(scene.terrain, scene.medium,
+      [&](const HeightField& field, const f64::ReliefMedium& medium, RayCount& work)
+      { return TraceAll(TracePackets, field, medium, scene.light, &work); });
   }
 }
 
@@ -146,26 +134,9 @@ INSTANTIATE_FOR_EVERY_TARGET(Packet);
 
 TEST(PacketThickness, ToleranceSavesWork)
 {
-  // A low lamp over rough ground, where most of every ray lies in the dark.
-  Random random(6);
-  Terrain terrain(300, 200, 1.0, 1.0);
-  for (double& height : terrain.heights)
-  {
-    height = random.Uniform(0.0, 20.0);
-  }
-  HeightField field;
-  Prepare(terrain, field);
-  f64::ReliefMedium medium = Sunk(1.0, f64::RELIEF_VERTICAL);
-  std::uint64_t before = ~std::uint64_t(0);
-  for (double tolerance : { 0.0, 0.002, 0.02, 0.1 })
-  {
-    medium.tolerance = tolerance;
-    RayCount work;
-    TraceAll(TracePackets, field, medium, Lamp(-500.0, 400.0, 60.0), &work);
-    EXPECT_EQ(work.rays, terrain.heights.size());
-    EXPECT_LT(work.cells, before);
-    before = work.cells;
-  }
+  ExpectToleranceSavesWork(
+    [](const HeightField& field, const f64::ReliefMedium& medium, RayCount& work)
+    { return TraceAll(TracePackets, field, medium, Lamp(-500.0, 400.0, 60.0), &work); });
 }
 
 // Samples that are not wanted are left alone and change nothing for the others of their packet that

@@ -120,23 +120,11 @@ TEST_P(Sweep, KeepsTheTolerance)
   Random random(seed);
   for (int round = 0; round < 40; ++round)
   {
-    RandomScene scene = MakeSweptScene(random);
+    const RandomScene scene = MakeSweptScene(random);
     SCOPED_TRACE(testing::Message() << "scene " << round << ": " << scene);
-    HeightField field;
-    Prepare(scene.terrain, field);
-    const std::vector<float> exact = SweepAll(field, scene.medium, scene.light);
-    for (double tolerance : { 0.1, 0.02, 0.002 })
-    {
-      scene.medium.tolerance = tolerance;
-      const std::vector<float> swept = SweepAll(field, scene.medium, scene.light);
-      for (std::size_t at = 0; at < swept.size(); ++at)
-      {
-        if (!std::isnan(scene.terrain.heights[at]))
-        {
-          ASSERT_LE(std::abs(swept[at] - exact[at]), tolerance + 1e-5) << "sample " << at;
-        }
-      }
-    }
+    ExpectTolerance(scene.terrain, scene.medium,
+      [&](const HeightField& field, const f64::ReliefMedium& medium, RayCount& work)
+      { return SweepAll(field, medium, scene.light, nullptr, &work); });
   }
 }
 
@@ -226,24 +214,7 @@ TEST(SweepThickness, DepthZeroIsTheLimit)
 
 TEST(SweepThickness, ToleranceSavesWork)
 {
-  // A low sun over rough ground, where most of every ray lies in the dark.
-  Random random(6);
-  Terrain terrain(400, 300, 1.0, 1.0);
-  for (double& height : terrain.heights)
-  {
-    height = random.Uniform(0.0, 20.0);
-  }
-  HeightField field;
-  Prepare(terrain, field);
-  f64::ReliefMedium medium = Sunk(1.0, f64::RELIEF_VERTICAL);
-  std::uint64_t before = ~std::uint64_t(0);
-  for (double tolerance : { 0.0, 0.002, 0.02, 0.1 })
-  {
-    medium.tolerance = tolerance;
-    RayCount work;
-    SweepAll(field, medium, Sun(300.0, 5.0), nullptr, &work);
-    EXPECT_EQ(work.rays, terrain.heights.size());
-    EXPECT_LT(work.cells, before);
-    before = work.cells;
-  }
+  ExpectToleranceSavesWork(
+    [](const HeightField& field, const f64::ReliefMedium& medium, RayCount& work)
+    { return SweepAll(field, medium, Sun(300.0, 5.0), nullptr, &work); });
 }
