@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MessageLog.h"
 
+#include "Failure.h"
+
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <mutex>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -180,6 +183,27 @@ std::string oneLine(const std::string& text)
     line += line.empty() ? word : " " + word;
   }
   return line;
+}
+
+//------------------------------------------------------------------------------
+void aboutFile(const std::string& file, const std::function<void()>& step)
+{
+  try
+  {
+    step();
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure(file, "not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    throw Failure(file, withoutName(oneLine(error.what()), file));
+  }
 }
 
 }

@@ -2,6 +2,7 @@
 #ifndef MessageLog_h
 #define MessageLog_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,10 @@ private:
 
 /// The text as one line: runs of white space become single blanks.
 std::string oneLine(const std::string& text);
+
+/// Runs a step that is about a file. Whatever stops it comes out as a Failure; one that names no
+/// other file names this one.
+void aboutFile(const std::string& file, const std::function<void()>& step);
 
 }
 

@@ -9,7 +9,6 @@
 #include "vtkOpenImageIOReader.h"
 
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 
 namespace
@@ -67,14 +66,7 @@ vtkSmartPointer<vtkImageData> readPicture(
   const std::string& file, MemoryBudget& budget, double copies, double bytesPerPixel)
 {
   vtkNew<vtkOpenImageIOReader> reader;
-  try
-  {
-    updateReader(reader, file, MemoryPlan{ budget, copies, bytesPerPixel });
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw Failure(file, withoutName(oneLine(error.what()), file));
-  }
+  aboutFile(file, [&] { updateReader(reader, file, MemoryPlan{ budget, copies, bytesPerPixel }); });
   return reader->GetOutput();
 }
 
@@ -83,37 +75,26 @@ vtkSmartPointer<vtkImageData> readTexture(
   const std::string& file, const Raster& raster, MemoryBudget& budget)
 {
   Picture picture;
-  try
-  {
-    std::error_code code;
-    if (std::filesystem::is_directory(file, code))
+  aboutFile(file,
+    [&]
     {
-      throw std::runtime_error("is a directory");
-    }
-    if (!readReferencedPicture(file, budget, picture))
-    {
-      picture.Image = readPicture(file, budget);
-    }
-    if (picture.Reference.Present && raster.Reference.Present &&
-      !sameReferenceSystem(picture.Reference.Crs, raster.Reference.Crs))
-    {
-      throw std::runtime_error("its coordinate reference system is not that of the heights; "
-                               "gdalwarp -t_srs makes a picture that fits");
-    }
-    place(picture, raster);
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Failure(file, "not enough memory");
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(file, withoutName(oneLine(error.what()), file));
-  }
+      std::error_code code;
+      if (std::filesystem::is_directory(file, code))
+      {
+        throw std::runtime_error("is a directory");
+      }
+      if (!readReferencedPicture(file, budget, picture))
+      {
+        picture.Image = readPicture(file, budget);
+      }
+      if (picture.Reference.Present && raster.Reference.Present &&
+        !sameReferenceSystem(picture.Reference.Crs, raster.Reference.Crs))
+      {
+        throw std::runtime_error("its coordinate reference system is not that of the heights; "
+                                 "gdalwarp -t_srs makes a picture that fits");
+      }
+      place(picture, raster);
+    });
   return picture.Image;
 }
 

@@ -74,49 +74,38 @@ void MemoryPlan::Claim(double columns, double rows, double bytes, double meanwhi
 Raster readRaster(
   const std::string& file, const ReadOptions& options, MemoryBudget& budget, double bytesPerSample)
 {
-  try
-  {
-    Raster raster;
-    std::error_code code;
-    if (std::filesystem::is_directory(file, code))
+  Raster raster;
+  aboutFile(file,
+    [&]
     {
-      throw std::runtime_error("is a directory");
-    }
-    const MemoryPlan plan{ budget, 1.0, bytesPerSample };
-    if (!readReferenced(file, options, plan, raster))
-    {
-      readGrey(file, options, plan, raster);
-    }
-    for (const double spacing : raster.Spacing)
-    {
-      if (!(spacing > 0.0) || !std::isfinite(spacing))
+      std::error_code code;
+      if (std::filesystem::is_directory(file, code))
       {
-        std::ostringstream text;
-        text << "its georeference sets samples " << raster.Spacing[0] << " x " << raster.Spacing[1]
-             << " m apart; numbers above 0 are expected";
-        throw std::runtime_error(text.str());
+        throw std::runtime_error("is a directory");
       }
-    }
-    if (!options.NoDataFromFile)
-    {
-      raster.NoData = options.NoData;
-    }
-    markNoData(raster);
-    applyScale(raster);
-    return raster;
-  }
-  catch (const Failure&)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw Failure(file, "not enough memory");
-  }
-  catch (const std::exception& error)
-  {
-    throw Failure(file, withoutName(oneLine(error.what()), file));
-  }
+      const MemoryPlan plan{ budget, 1.0, bytesPerSample };
+      if (!readReferenced(file, options, plan, raster))
+      {
+        readGrey(file, options, plan, raster);
+      }
+      for (const double spacing : raster.Spacing)
+      {
+        if (!(spacing > 0.0) || !std::isfinite(spacing))
+        {
+          std::ostringstream text;
+          text << "its georeference sets samples " << raster.Spacing[0] << " x "
+               << raster.Spacing[1] << " m apart; numbers above 0 are expected";
+          throw std::runtime_error(text.str());
+        }
+      }
+      if (!options.NoDataFromFile)
+      {
+        raster.NoData = options.NoData;
+      }
+      markNoData(raster);
+      applyScale(raster);
+    });
+  return raster;
 }
 
 //------------------------------------------------------------------------------
