@@ -53,28 +53,30 @@ RELIEF_FN real reliefInsideShare(real a, real b, real c)
   }
   // Scaled by the largest first: the squares of huge heights would overflow, of tiny ones vanish.
   real scale = max(abs(a), max(abs(b), abs(c)));
-  a /= scale;
-  b /= scale;
+  // Each crossing is found from the end inside it, the higher one first: 1 - u would have lost the
+  // digits of a short stretch.
+  real high = max(a, b) / scale;
+  real low = min(a, b) / scale;
   c /= scale;
-  real slope = b - a - c; // at u = 0
-  if (aInside == bInside)
+  real slope = low - high - c; // away from the higher end
+  real discriminant = slope * slope - 4.0f * high * c;
+  real root = sqrt(max(discriminant, real(0.0f)));
+  real share;
+  if (aInside != bInside)
   {
-    real discriminant = slope * slope - 4.0f * a * c;
-    if (discriminant <= 0.0f)
-    {
-      return all;
-    }
-    real between = min(sqrt(discriminant) / abs(c), real(1.0f));
-    return aInside ? real(1.0f) - between : between;
+    // Of the two ways to write that root, the one in which nothing cancels.
+    share = slope < 0.0f ? 2.0f * high / (root - slope) : -(slope + root) / (2.0f * c);
   }
-  // One crossing. Seen from the positive side it goes down; of the two ways to write that root, the
-  // one in which nothing cancels.
-  real sign = aInside ? real(1.0f) : real(-1.0f);
-  real q = sign * slope;
-  real root = sqrt(max(slope * slope - 4.0f * a * c, real(0.0f)));
-  real u = q < 0.0f ? 2.0f * sign * a / (root - q) : -(q + root) / (2.0f * sign * c);
-  u = clamp(u, real(0.0f), real(1.0f));
-  return aInside ? u : real(1.0f) - u;
+  else if (discriminant <= 0.0f)
+  {
+    return all;
+  }
+  else
+  {
+    share = aInside ? 2.0f * high / (root - slope) + 2.0f * low / (root - (high - low - c))
+                    : root / abs(c);
+  }
+  return clamp(share, real(0.0f), real(1.0f));
 }
 
 // The inside length between s0 and s1, restricted to [from, to], of such a quadratic.

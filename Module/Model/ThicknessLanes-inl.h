@@ -53,34 +53,43 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c, Vector marg
   const Mask bInside = hn::Gt(b, marginB);
   a = hn::IfThenElse(aInside, a, hn::Min(a, zero));
   b = hn::IfThenElse(bInside, b, hn::Min(b, zero));
-  const Vector slope = hn::Sub(hn::Sub(b, a), c);
-  const Vector square = hn::Mul(slope, slope);
-  const Vector discriminant = hn::Sub(square, hn::Mul(hn::Set(tag, 4.0f), hn::Mul(a, c)));
+  const Vector high = hn::Max(a, b);
+  const Vector low = hn::Min(a, b);
+  const Vector fall = hn::Sub(high, low);
+  const Vector slope = hn::Sub(hn::Sub(low, high), c); // away from the higher end
+  const Vector discriminant =
+    hn::Sub(hn::Mul(slope, slope), hn::Mul(hn::Set(tag, 4.0f), hn::Mul(high, c)));
   const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
 
-  // One crossing, seen from the positive side.
-  const Vector q = hn::IfThenElse(aInside, slope, hn::Neg(slope));
-  const Vector sa = hn::Abs(a);
-  const Vector sc = hn::IfThenElse(aInside, c, hn::Neg(c));
-  const Mask falls = hn::Lt(q, zero);
-  const Vector numerator = hn::IfThenElse(falls, hn::Add(sa, sa), hn::Neg(hn::Add(q, root)));
-  const Vector denominator = hn::IfThenElse(falls, hn::Sub(root, q), hn::Add(sc, sc));
-
   // A bow no deeper than the margin, a quarter of c, is none.
+  const Vector bend = hn::Abs(c);
   const Vector least = hn::Mul(hn::Set(tag, 4.0f), marginB);
-
-  // Same side at both ends: the stretch between two crossings, if there are any. One division
-  // serves both.
   const Mask differ = hn::Xor(aInside, bInside);
-  const Mask turns = hn::And(hn::Gt(hn::Abs(c), hn::Max(hn::Abs(hn::Sub(b, a)), least)),
+  const Mask turns = hn::And(hn::Gt(bend, hn::Max(fall, least)),
     hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
-  const Vector ratio = hn::Div(
-    hn::IfThenElse(differ, numerator, root), hn::IfThenElse(differ, denominator, hn::Abs(c)));
-  const Vector share =
-    hn::IfThenElseZero(hn::Or(differ, turns), hn::Min(hn::Max(ratio, zero), one));
 
-  // From the inside that is the share up to the crossing, or outside between the two.
-  return hn::IfThenElse(hn::Xor(aInside, differ), hn::Sub(one, share), share);
+  // One crossing, from the end inside it; or two, the stretch between them or what is left of it.
+  // One division serves all. Where the surface does not fall away from the higher end, c is
+  // negative.
+  const Mask falls = hn::And(differ, hn::Lt(slope, zero));
+  const Vector twice = hn::Add(high, high);
+  const Vector beside = hn::Sub(root, slope);
+  const Vector between = hn::IfThenElse(aInside, hn::Sub(bend, root), root);
+  Vector numerator = hn::IfThenElse(
+    falls, twice, hn::IfThenElse(differ, hn::Add(root, slope), hn::Add(between, between)));
+  Vector denominator = hn::IfThenElse(falls, beside, hn::Add(bend, bend));
+  // What is left, if that is short and would have lost its digits, is found from either end.
+  const Mask left = hn::AndNot(differ, hn::And(turns, aInside));
+  const Mask brief = hn::And(left, hn::Lt(between, hn::Mul(hn::Set(tag, 0.0625f), bend)));
+  if (HWY_UNLIKELY(!hn::AllFalse(tag, brief)))
+  {
+    const Vector across = hn::Sub(root, hn::Sub(fall, c)); // as beside, from the lower end
+    numerator = hn::IfThenElse(
+      brief, hn::Add(hn::Mul(twice, across), hn::Mul(hn::Add(low, low), beside)), numerator);
+    denominator = hn::IfThenElse(brief, hn::Mul(beside, across), denominator);
+  }
+  const Vector share = hn::Min(hn::Max(hn::Div(numerator, denominator), zero), one);
+  return hn::IfThenElse(hn::Or(differ, turns), share, hn::IfThenElseZero(aInside, one));
 }
 
 // Tells which rays' d may still change by more than the tolerance.
