@@ -3,22 +3,20 @@
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
 #include "vtkFilteringInformationKeyManager.h" // The reader registered below needs the keys
 #include "vtkImageData.h"
 #include "vtkImageReader2Factory.h"
 #include "vtkInformation.h"
 #include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 
 #include "ImageFileAccess.h"
+#include "ImageFileAttributes.h"
 #include "ImageFileChecks.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -27,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iomanip>
 #include <memory>
 #include <set>
@@ -40,6 +37,7 @@ namespace
 {
 using OIIO::TypeDesc;
 using relief::io::Aborted;
+using relief::io::AddAttributes;
 using relief::io::CheckHeader;
 using relief::io::Failure;
 using relief::io::Guard;
@@ -225,70 +223,6 @@ void RefuseBeyond(vtkTypeInt64 limit, const Picture& picture)
   }
 }
 
-void AddMetadata(const OIIO::ImageSpec& spec, vtkFieldData* fieldData)
-{
-  for (const OIIO::ParamValue& attribute : spec.extra_attribs)
-  {
-    const TypeDesc type = attribute.type();
-    const int values = static_cast<int>(type.basevalues()) * attribute.nvalues();
-    vtkSmartPointer<vtkAbstractArray> array;
-    if (type.basetype == TypeDesc::STRING)
-    {
-      auto strings = vtkSmartPointer<vtkStringArray>::New();
-      for (int i = 0; i < values; ++i)
-      {
-        strings->InsertNextValue(attribute.get_string_indexed(i));
-      }
-      array = strings;
-    }
-    else if (VTKType(type) != VTK_VOID && values > 0)
-    {
-      vtkSmartPointer<vtkDataArray> numbers;
-      numbers.TakeReference(vtkDataArray::CreateDataArray(VTKType(type)));
-      numbers->SetNumberOfComponents(type.aggregate);
-      numbers->SetNumberOfTuples(values / type.aggregate);
-      if (type.basetype == TypeDesc::HALF)
-      {
-        for (int i = 0; i < values; ++i)
-        {
-          numbers->SetComponent(
-            i / type.aggregate, i % type.aggregate, attribute.get_float_indexed(i));
-        }
-      }
-      else
-      {
-        std::memcpy(numbers->GetVoidPointer(0), attribute.data(), attribute.datasize());
-      }
-      array = numbers;
-    }
-    if (array)
-    {
-      array->SetName(attribute.name().c_str());
-      fieldData->AddArray(array);
-    }
-  }
-
-  vtkNew<vtkStringArray> channels;
-  channels->SetName("ChannelNames");
-  for (const std::string& name : spec.channelnames)
-  {
-    channels->InsertNextValue(name);
-  }
-  fieldData->AddArray(channels);
-
-  vtkNew<vtkIntArray> origin;
-  origin->SetName("DataWindowOrigin");
-  origin->SetNumberOfComponents(2);
-  origin->InsertNextTuple2(spec.x, spec.y);
-  fieldData->AddArray(origin);
-
-  // It has been carried out.
-  if (vtkDataArray* orientation = fieldData->GetArray("Orientation"))
-  {
-    orientation->Fill(1.0);
-  }
-}
-
 // Where the pixels go. Each output has the part of the image that was asked of it.
 struct Targets
 {
@@ -390,8 +324,8 @@ void ReadPixels(vtkAlgorithm* self, Picture& picture, int subimage, int mipLevel
       : picture.Input->read_scanlines(subimage, mipLevel, spec.y + y, spec.y + end, spec.z, 0,
           spec.nchannels, bands.Format, band.data());
     const std::string text = picture.Input->geterror();
-    // JPEG fills in grey for what is missing and only notes it, as TIFF does where it decodes strips
-    // in parallel; their other notes are harmless.
+    // JPEG fills in grey for what is missing and only notes it, as TIFF does where it decodes
+    // strips in parallel; their other notes are harmless.
     const bool noted = text.find("remature end") != std::string::npos ||
       text.find("ead error") != std::string::npos || text.find("failed") != std::string::npos;
     if (!read || noted)
@@ -600,7 +534,7 @@ int vtkOpenImageIOReader::RequestData(vtkInformation* request,
         mask->GetPointData()->GetScalars()->SetName("Mask");
         targets.Mask = static_cast<unsigned char*>(mask->GetScalarPointer());
       }
-      AddMetadata(spec, image->GetFieldData());
+      AddAttributes(spec, image->GetFieldData());
       ReadPixels(this, picture, this->Subimage, this->MipLevel, mapping, targets);
     },
     reason);

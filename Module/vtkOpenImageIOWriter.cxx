@@ -3,15 +3,14 @@
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStringArray.h"
 
 #include "ImageFileAccess.h"
+#include "ImageFileAttributes.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -29,77 +28,13 @@ namespace
 {
 using OIIO::TypeDesc;
 using relief::io::Aborted;
+using relief::io::AddAttributes;
 using relief::io::CheckImage;
 using relief::io::Failure;
 using relief::io::FileType;
 using relief::io::Guard;
 using relief::io::OneLine;
 using relief::io::TemporaryFile;
-
-// Whether an attribute tells how the file that it came from was stored.
-bool DescribesStorage(const std::string& name)
-{
-  static const std::set<std::string> names = { "Orientation", "compression", "CompressionQuality",
-    "planarconfig", "ChannelNames", "DataWindowOrigin" };
-  static const std::set<std::string> prefixes = []
-  {
-    std::set<std::string> result = { "oiio" };
-    std::istringstream formats(std::string(OIIO::get_string_attribute("format_list")));
-    for (std::string format; std::getline(formats, format, ',');)
-    {
-      result.insert(format);
-    }
-    return result;
-  }();
-  const size_t colon = name.find(':');
-  return names.count(name) || name.compare(0, 10, "ICCProfile") == 0 ||
-    (colon != std::string::npos && prefixes.count(name.substr(0, colon)));
-}
-
-void AddAttributes(vtkFieldData* fieldData, OIIO::ImageSpec& spec)
-{
-  const size_t largest = 64 * 1024;
-  for (int a = 0; fieldData && a < fieldData->GetNumberOfArrays(); ++a)
-  {
-    vtkAbstractArray* array = fieldData->GetAbstractArray(a);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    const size_t values = static_cast<size_t>(array->GetNumberOfValues());
-    if (name.empty() || values == 0 || DescribesStorage(name))
-    {
-      continue;
-    }
-    if (auto strings = vtkStringArray::SafeDownCast(array))
-    {
-      size_t bytes = 0;
-      std::vector<const char*> texts;
-      for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
-      {
-        texts.push_back(strings->GetValue(i).c_str());
-        bytes += strings->GetValue(i).size() + 1;
-      }
-      if (bytes <= largest)
-      {
-        const TypeDesc type(TypeDesc::STRING, values > 1 ? static_cast<int>(values) : 0);
-        spec.attribute(name, type, texts.data());
-      }
-    }
-    else if (auto numbers = vtkDataArray::SafeDownCast(array))
-    {
-      TypeDesc type = FileType(numbers->GetDataType());
-      if (type == TypeDesc::UNKNOWN || values * type.size() > largest)
-      {
-        continue;
-      }
-      // Tuples that OpenImageIO has a name for stay tuples, others become plain arrays.
-      const int components = numbers->GetNumberOfComponents();
-      const bool tuples = components == 2 || components == 3 || components == 4 || components == 16;
-      type.aggregate = static_cast<unsigned char>(tuples ? components : 1);
-      const int elements = static_cast<int>(values) / type.aggregate;
-      type.arraylen = elements > 1 ? elements : 0;
-      spec.attribute(name, type, numbers->GetVoidPointer(0));
-    }
-  }
-}
 
 // Refuses components that OpenImageIO would drop without a word, or not survive.
 void CheckComponents(const OIIO::ImageOutput& format, int components)
