@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <new>
 
 vtkStandardNewMacro(vtkOpenGLReliefImageMapper);
 
@@ -344,6 +345,19 @@ void vtkOpenGLReliefImageMapper::Internals::Report(const std::string& problem)
 void vtkOpenGLReliefImageMapper::Render(vtkRenderer* renderer, vtkImageSlice* slice)
 {
   vtkOpenGLClearErrorMacro();
+  try
+  {
+    this->Shade(renderer, slice);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Internal->Report("there is not enough memory to shade the image");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpenGLReliefImageMapper::Shade(vtkRenderer* renderer, vtkImageSlice* slice)
+{
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   Internals& internal = *this->Internal;
   relief::Scene scene;

@@ -64,6 +64,8 @@ private:
   vtkOpenGLReliefImageMapper(const vtkOpenGLReliefImageMapper&) = delete;
   void operator=(const vtkOpenGLReliefImageMapper&) = delete;
 
+  void Shade(vtkRenderer* renderer, vtkImageSlice* slice);
+
   class Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -182,7 +182,7 @@ struct Bands
     , Rows(spec.height)
   {
     const size_t granules = std::max<size_t>(1, (4 << 20) / this->RowBytes / this->Granule);
-    if (granules < static_cast<size_t>(spec.height / this->Granule))
+    if (granules < static_cast<size_t>((spec.height + this->Granule - 1) / this->Granule))
     {
       this->Rows = static_cast<int>(granules) * this->Granule;
     }

@@ -31,6 +31,7 @@ constexpr double LargestLength = 1e32;
 constexpr double LargestColor = 1e6;
 constexpr double LargestRadiance = 1e30;
 constexpr double LargestNumber = 1e30;
+constexpr double LargestHeight = 4e37; // beyond any relief that is not refused
 
 double Bounded(double value, double largest)
 {
@@ -345,7 +346,7 @@ relief::Scene vtkReliefConvertMaterial(
   result.medium.attenuation = material->GetAttenuation();
   result.medium.density = std::min(material->GetDensity(), LargestNumber);
   result.medium.useFloor = material->GetUseFloor();
-  result.medium.floorHeight = Bounded(material->GetFloorHeight() - datum, LargestNumber);
+  result.medium.floorHeight = Bounded(material->GetFloorHeight() - datum, LargestHeight);
   result.medium.tolerance = std::min(scene->GetTolerance(), 1.0); // of d, which is no more
   result.integrator = scene->GetIntegrator() == vtkReliefScene::Exact
     ? relief::Integrator::Exact

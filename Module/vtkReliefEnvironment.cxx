@@ -283,7 +283,8 @@ std::string vtkReliefEnvironmentSampler::Sample(vtkReliefEnvironment* environmen
         vtkWarningWithObjectMacro(environment,
           "The image has " << internal.Map.GetCleaned()
                            << " texels that are not finite, negative or above "
-                           << relief::RadianceMap::Largest << "; they are taken for black.");
+                           << relief::RadianceMap::Largest
+                           << "; a negative component counts as 0, the others as black texels.");
       }
     }
     const auto madeFrom =

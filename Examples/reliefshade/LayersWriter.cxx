@@ -124,6 +124,10 @@ vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string
 LayersWriter::LayersWriter(const std::string& file)
   : File(file)
 {
+  if (lowerExtension(file) != ".exr")
+  {
+    throw Failure(file, "layers are written as OpenEXR; a name that ends in .exr is expected");
+  }
   RasterWriter(file, VTK_FLOAT, 4, GeoReference());
 }
 

@@ -470,11 +470,20 @@ bool parseOptions(int argc, char* argv[], Options& options)
     throw Failure("--save-scene", "a scene's file cannot say --env-mirror", UsageFailure);
   }
   const auto place = [](const std::string& file)
-  { return std::filesystem::absolute(file).lexically_normal(); };
-  if (!options.Output.empty() && !options.LayersFile.empty() &&
-    place(options.Output) == place(options.LayersFile))
+  { return file.empty() ? file : std::filesystem::absolute(file).lexically_normal().string(); };
+  const std::string output = place(options.Output);
+  const std::string layers = place(options.LayersFile);
+  const std::string scene = place(options.SavedScene);
+  if (!layers.empty() && layers == output)
   {
     throw Failure("--layers", "'" + options.LayersFile + "' is OUTPUT as well", UsageFailure);
+  }
+  if (!scene.empty() && (scene == output || scene == layers))
+  {
+    throw Failure("--save-scene",
+      "'" + options.SavedScene + "' is " + (scene == output ? "OUTPUT" : "the file of layers") +
+        " as well",
+      UsageFailure);
   }
   return true;
 }

@@ -43,7 +43,7 @@ void readGrey(const std::string& file, const ReadOptions& options, MemoryPlan pl
     if (options.Band == 0)
     {
       throw std::runtime_error(std::to_string(components) +
-        " components; expected 1 (height); --band takes one of them as heights");
+        " components; expected 1 (height); reliefshade --band takes one of them as heights");
     }
     vtkNew<vtkImageExtractComponents> extract;
     extract->SetInputData(picture);

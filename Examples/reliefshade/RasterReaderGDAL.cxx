@@ -99,7 +99,7 @@ void refuseColour(GDALDataset* dataset)
     (meaning == GCI_RedBand || (meaning >= GCI_HueBand && meaning <= GCI_YCbCr_CrBand)))
   {
     throw std::runtime_error(std::to_string(components) +
-      " components; expected 1 (height); --band takes one of them as heights");
+      " components; expected 1 (height); reliefshade --band takes one of them as heights");
   }
 }
 

@@ -67,7 +67,9 @@ private:
     }
     catch (const Failure& failure)
     {
-      this->setObsolete(true); // the picture of the environment is gone: there is no way back
+      // The picture of the environment is gone: there is no way back, nor to what is saved.
+      this->setObsolete(true);
+      this->Owner->Undo.resetClean();
       emit this->Owner->refused(failure.what());
     }
   }
@@ -95,10 +97,10 @@ int Document::NumberOfLights() const
 //------------------------------------------------------------------------------
 void Document::SetField(const QString& file, Field field)
 {
-  const std::string text = this->Text();
+  this->OpenField.Frame.ToMap(this->EditedScene);
   this->OpenField = std::move(field);
   this->HeightsFile = file;
-  this->FromText(text, this->EditedScene);
+  this->OpenField.Frame.ToHeights(this->EditedScene);
   emit this->fieldChanged();
   emit this->changed();
 }
@@ -122,14 +124,12 @@ void Document::ReadScene(const QString& file)
 void Document::WriteScene(const QString& file)
 {
   const std::string name = QFile::encodeName(file).toStdString();
-  // As the text has it, so that what is saved is what undo, and saving again, give.
-  vtkNew<vtkReliefScene> scene;
-  this->FromText(this->Text(), scene);
-  this->OpenField.Frame.ToMap(scene);
   vtkNew<vtkReliefSceneFile> writer;
   writer->SetFileName(name.c_str());
-  writer->SetScene(scene);
-  if (!writer->Write())
+  writer->SetScene(this->EditedScene);
+  bool written = false;
+  this->OnMap([&] { written = writer->Write(); });
+  if (!written)
   {
     throw Failure(name, reliefshade::withoutName(reliefshade::takeError(), name));
   }
@@ -153,7 +153,10 @@ void Document::NewScene()
 void Document::StartAnew(const QString& file)
 {
   this->File = file;
-  this->StepUnderWay = false;
+  if (std::exchange(this->StepUnderWay, false))
+  {
+    emit this->stepping(false);
+  }
   this->Selected = 0;
   this->Current = this->Text();
   this->Undo.clear();
@@ -162,7 +165,7 @@ void Document::StartAnew(const QString& file)
 }
 
 //------------------------------------------------------------------------------
-std::string Document::Text() const
+void Document::OnMap(const std::function<void()>& step) const
 {
   vtkReliefScene* scene = this->EditedScene;
   std::vector<std::array<double, 3>> positions;
@@ -174,9 +177,7 @@ std::string Document::Text() const
   const double heightScale = scene->GetHeightScale();
 
   this->OpenField.Frame.ToMap(scene);
-  vtkNew<vtkReliefSceneFile> file;
-  file->SetScene(scene);
-  const std::string text = file->ToText();
+  step();
 
   scene->SetHeightScale(heightScale);
   auto position = positions.begin();
@@ -184,6 +185,15 @@ std::string Document::Text() const
   {
     light->SetPosition((position++)->data());
   }
+}
+
+//------------------------------------------------------------------------------
+std::string Document::Text() const
+{
+  vtkNew<vtkReliefSceneFile> file;
+  file->SetScene(this->EditedScene);
+  std::string text;
+  this->OnMap([&] { text = file->ToText(); });
   if (text.empty())
   {
     throw Failure("", reliefshade::takeError());
@@ -273,7 +283,16 @@ void Document::EndStep(const QString& what)
 //------------------------------------------------------------------------------
 void Document::Commit(const QString& what)
 {
-  std::string text = this->Text();
+  std::string text;
+  try
+  {
+    text = this->Text();
+  }
+  catch (const Failure& failure)
+  {
+    emit this->refused(failure.what()); // a number that no file holds
+    return;
+  }
   if (text != this->Current)
   {
     std::string before = std::exchange(this->Current, std::move(text));

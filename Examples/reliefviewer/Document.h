@@ -82,6 +82,8 @@ private:
   class Step;
   void Restore(const std::string& text);
   void Commit(const QString& what);
+  /// Runs a step while the scene is as files have it, in the frame of the map.
+  void OnMap(const std::function<void()>& step) const;
   void StartAnew(const QString& file);
   int NumberOfLights() const;
 

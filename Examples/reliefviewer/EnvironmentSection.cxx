@@ -64,9 +64,15 @@ void EnvironmentSection::AddSource()
     { "environmentSource", tr("Light of"), tr("Where its colours come from.") },
     { tr("White sky"), tr("Clear sky"), tr("Picture") },
     [this] { return this->Environment() ? this->Environment()->GetImageSource() - 1 : 0; },
-    [this](int source)
+    [this](int choice)
     {
-      switch (source + 1)
+      // Only another picture is something new when it is chosen again.
+      const int source = choice + 1;
+      if (source == this->Environment()->GetImageSource() && source != vtkReliefEnvironment::File)
+      {
+        return;
+      }
+      switch (source)
       {
         case vtkReliefEnvironment::WhiteDome:
           this->Environment()->SetImageToWhiteDome();

@@ -107,6 +107,7 @@ void LightSection::RefreshList()
   {
     auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
     QListWidgetItem* item = this->List->item(i);
+    item->setFlags(QListWidgetItem().flags());
     item->setText(light->GetPositional() ? tr("Lamp %1").arg(i + 1) : tr("Sun %1").arg(i + 1));
     item->setCheckState(light->GetSwitch() ? Qt::Checked : Qt::Unchecked);
   }

@@ -181,8 +181,8 @@ bool MainWindow::OpenHeights(const QString& file)
           return false;
         }
       }
-      this->Middle->setCurrentWidget(this->Picture);
       this->Shown->SetField(file, std::move(field));
+      this->Middle->setCurrentWidget(this->Picture);
       for (QAction* action : this->NeedField)
       {
         action->setEnabled(true);
@@ -298,7 +298,9 @@ void MainWindow::ChooseAndSave(const QString& what, const QString& filter, const
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(suffix);
   // Never the name of the heights themselves: the suffix may become theirs.
-  dialog.selectFile(QFileInfo(this->Shown->FieldFile()).completeBaseName() + ending);
+  // A dot would be taken for the beginning of a suffix.
+  dialog.selectFile(
+    QFileInfo(this->Shown->FieldFile()).completeBaseName().replace('.', '_') + ending);
   // The suffix of the format that is chosen.
   connect(&dialog, &QFileDialog::filterSelected, &dialog,
     [&dialog, suffix](const QString& chosen)
@@ -309,7 +311,18 @@ void MainWindow::ChooseAndSave(const QString& what, const QString& filter, const
     });
   if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty())
   {
-    const QString file = dialog.selectedFiles().first();
+    QString file = dialog.selectedFiles().first();
+    if (suffix == QStringLiteral("json") && !isScene(file))
+    {
+      // Under another name it would be opened as a height field.
+      file += QStringLiteral(".json");
+      if (QFileInfo::exists(file) &&
+        QMessageBox::question(this, what, tr("%1 exists. Replace it?").arg(file)) !=
+          QMessageBox::Yes)
+      {
+        return;
+      }
+    }
     this->Folder = QFileInfo(file).absolutePath();
     if (save(file))
     {
@@ -414,6 +427,7 @@ void MainWindow::ReadSettings()
   this->resizeDocks({ this->Dock }, { 370 }, Qt::Horizontal);
   this->restoreGeometry(settings.value("geometry").toByteArray());
   this->restoreState(settings.value("windowState").toByteArray());
+  this->findChild<QAction*>("fullScreen")->setChecked(this->isFullScreen());
   this->Folder = settings.value("folder").toString();
   if (settings.contains("openSections"))
   {

@@ -296,7 +296,7 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
           field.bounds->GetNumberOfLevels() - 1);
         const MinMaxPyramid::Bounds bounds = field.bounds->Over(level, i0, i1, j0, j1);
         const bool over = Least(tag, active, hn::Min(z0, z1)) > bounds.hi;
-        const bool under = Greatest(tag, active, hn::Max(z0, z1)) < bounds.lo;
+        const bool under = Greatest(tag, active, hn::Add(hn::Max(z0, z1), widest)) < bounds.lo;
         if (over || under)
         {
           if (under)
@@ -391,7 +391,10 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
       const Mask leaving = hn::AndNot(inImage, active);
       if (!hn::AllFalse(tag, leaving))
       {
-        const Vector tail = LevelLength(tag, hn::Max(s, from), to, hn::Add(ground, sink), dz);
+        const Vector level = hn::Add(ground, sink);
+        const Mask apart = hn::Gt(hn::Abs(level), marginAt(zero));
+        const Vector tail =
+          LevelLength(tag, hn::Max(s, from), to, hn::IfThenElseZero(apart, level), dz);
         thickness = hn::Add(thickness, hn::IfThenElseZero(leaving, tail));
         active = hn::AndNot(leaving, active);
         if (hn::AllFalse(tag, active))

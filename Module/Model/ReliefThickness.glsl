@@ -229,7 +229,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       ci = ei;
       cj = ej;
       outside = false;
-      result.thickness += reliefLevelLength(from, min(entry, to), ground + ray.sink, ray.dz);
+      result.thickness += reliefLevelLength(from, min(entry, to), reliefAbove(ray, ground, 0.0f), ray.dz);
       s = entry;
       onSurface = false;
     }
@@ -266,15 +266,16 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       reliefBounds(field, level - 1, bi, bj, lo, hi);
       real z0 = s * ray.dz - ray.sink;
       real z1 = min(s1, to) * ray.dz - ray.sink;
+      bool under = max(z0, z1) + reliefMargin(ray, min(s1, to)) < lo - ray.base;
       if (lo > hi || holds)
       {
         result.thickness +=
-          reliefLevelLength(max(s, from), min(s1, to), ground + ray.sink, ray.dz);
+          reliefLevelLength(max(s, from), min(s1, to), reliefAbove(ray, ground, 0.0f), ray.dz);
         onSurface = false;
       }
-      else if (min(z0, z1) > hi - ray.base || max(z0, z1) < lo - ray.base)
+      else if (min(z0, z1) > hi - ray.base || under)
       {
-        if (max(z0, z1) < lo - ray.base)
+        if (under)
         {
           result.thickness += max(min(s1, to) - max(s, from), real(0.0f));
         }
@@ -296,7 +297,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       if (isnan(twist) || holds)
       {
         result.thickness +=
-          reliefLevelLength(max(s, from), min(s1, to), ground + ray.sink, ray.dz);
+          reliefLevelLength(max(s, from), min(s1, to), reliefAbove(ray, ground, 0.0f), ray.dz);
         onSurface = false;
       }
       else
@@ -312,7 +313,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
         if (s1 >= RELIEF_INFINITY)
         {
           // A vertical ray never leaves its cell.
-          result.thickness += reliefLevelLength(from, to, ground + ray.sink, ray.dz);
+          result.thickness += reliefLevelLength(from, to, reliefAbove(ray, ground, 0.0f), ray.dz);
         }
         else
         {
@@ -381,7 +382,7 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
 
   if (s < to)
   {
-    result.thickness += reliefLevelLength(max(s, from), to, ground + ray.sink, ray.dz);
+    result.thickness += reliefLevelLength(max(s, from), to, reliefAbove(ray, ground, 0.0f), ray.dz);
   }
   return result;
 }

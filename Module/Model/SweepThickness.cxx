@@ -80,10 +80,12 @@ bool IsSettled(const SweepThickness::Plan& plan, float distance, const Tile& til
 // Adds what is left of rays that have left the image, under level ground.
 void AddLevelRest(const SweepThickness::Plan& plan, float distance, Tile& tile)
 {
+  const float margin = f32::RELIEF_ROUNDING * plan.medium.depth; // as reliefAbove() has it
   for (int at = 0; at < SweepThickness::TileSize; ++at)
   {
+    const float above = tile.ground[at] - tile.base[at] + plan.medium.depth;
     tile.thickness[at] += f32::reliefLevelLength(distance, std::numeric_limits<float>::infinity(),
-      tile.ground[at] - tile.base[at] + plan.medium.depth, plan.dz);
+      std::abs(above) <= margin ? 0.0f : above, plan.dz);
   }
 }
 
@@ -177,7 +179,7 @@ bool TraceTile(
       holding = inImage != 2;
       continue;
     }
-    if (inImage == 2 && bounds.lo > highest + group.riseOut)
+    if (inImage == 2 && bounds.lo > highest + group.riseOut + MarginAt(plan, group.riseOut))
     {
       const Vector length = hn::Set(tag, group.length);
       for (int at = 0; at < SweepThickness::TileSize; at += lanes)

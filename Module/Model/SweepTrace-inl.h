@@ -111,10 +111,10 @@ void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
         const Vector length = hn::Set(tag, cell.length);
         const Mask aInside = hn::Gt(a, zero);
         // A turning point reaches zero only if the bow, a quarter of c deep, is deeper than the
-        // ends are far.
+        // ends are far; and an end within the margin, which grows along the ray, is not inside.
         const Vector bow = hn::Abs(hn::Mul(c, hn::Set(tag, 0.25f)));
-        const Mask crosses =
-          hn::Or(hn::Xor(aInside, hn::Gt(b, zero)), hn::Ge(bow, hn::Min(hn::Abs(a), hn::Abs(b))));
+        const Mask crosses = hn::Or(hn::Xor(aInside, hn::Gt(b, zero)),
+          hn::Ge(hn::Add(bow, margin), hn::Min(hn::Abs(a), hn::Abs(b))));
         if (HWY_LIKELY(hn::AllFalse(tag, crosses)))
         {
           thickness = hn::Add(thickness, hn::IfThenElseZero(aInside, length));

@@ -58,6 +58,10 @@ class Usage(Case):
         for option in ("--offset", "--attenuation", "--integrator", "--type", "--layers"):
             self.bad(2, [option, "'none such'"], "a.tif", "b.png", option, "none such")
         self.bad(2, ["--layers", "''"], "a.tif", "b.png", "--layers", "normals,")
+        self.bad(2, ["--save-scene", "'b.png' is OUTPUT as well"],
+                 "a.tif", "b.png", "--save-scene", "b.png")
+        self.bad(2, ["--save-scene", "'./l.exr' is the file of layers as well"],
+                 "a.tif", "b.png", "--layers", "l.exr", "--save-scene", "./l.exr")
 
 
 class Input(Case):

@@ -132,6 +132,23 @@ TEST_P(Packet, KeepsTheTolerance)
 
 INSTANTIATE_FOR_EVERY_TARGET(Packet);
 
+// A ray within rounding of the surface runs along it, which is not inside, in cells and holes and
+// beyond the image. Only a peak's own foot darkens it.
+TEST(PacketThickness, RunsAlongLevelGround)
+{
+  Terrain terrain(40, 9, 1.0, 1.0);
+  terrain.Fill([](double, double) { return 0.6f; });
+  terrain.At(2, 4) = 0.7f;
+  terrain.At(20, 4) = std::numeric_limits<double>::quiet_NaN();
+  HeightField field;
+  Prepare(terrain, field);
+  const std::size_t at = 4 * 40 + 2;
+  const f64::ReliefMedium medium = Sunk(0.1, f64::RELIEF_VERTICAL);
+  const Light sun = Sun(90.0, 0.0);
+  EXPECT_FLOAT_EQ(TraceAll(TracePackets, field, medium, sun)[at], 0.1f);
+  EXPECT_FLOAT_EQ(TraceAll(TraceRow<float, float>, field, medium, sun)[at], 0.1f);
+}
+
 TEST(PacketThickness, ToleranceSavesWork)
 {
   ExpectToleranceSavesWork(

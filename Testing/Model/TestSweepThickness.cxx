@@ -212,6 +212,19 @@ TEST(SweepThickness, DepthZeroIsTheLimit)
   }
 }
 
+// As packets and rays do: PacketThickness.RunsAlongLevelGround.
+TEST(SweepThickness, RunsAlongLevelGround)
+{
+  Terrain terrain(80, 9, 1.0, 1.0);
+  terrain.Fill([](double, double) { return 0.6f; });
+  terrain.At(2, 4) = 0.7f;
+  terrain.At(20, 4) = std::numeric_limits<double>::quiet_NaN();
+  HeightField field;
+  Prepare(terrain, field);
+  EXPECT_FLOAT_EQ(
+    SweepAll(field, Sunk(0.1, f64::RELIEF_VERTICAL), Sun(90.0, 0.0))[4 * 80 + 2], 0.1f);
+}
+
 TEST(SweepThickness, ToleranceSavesWork)
 {
   ExpectToleranceSavesWork(

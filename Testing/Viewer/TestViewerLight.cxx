@@ -321,6 +321,8 @@ void TestViewerLight::listOfLights()
     Trigger(window.get(), "undo");
   }
   QCOMPARE(list->count(), 1);
+  QVERIFY(list->item(0)->flags().testFlag(Qt::ItemIsUserCheckable));
+  QVERIFY(list->item(0)->flags().testFlag(Qt::ItemIsEnabled));
   QVERIFY(!window->isWindowModified());
 }
 

@@ -461,6 +461,14 @@ void TestViewerPanel::environmentFromPicture()
   QVERIFY(window->SaveScene(this->Path("with-sky.json")));
   QVERIFY(this->Read("with-sky.json").contains("\"sky.png\"")); // relative to its folder
 
+  // It is in memory: its file is not needed for another field, or to save the scene.
+  QVERIFY(QFile::rename(this->Path("sky.png"), this->Path("away.png")));
+  QVERIFY(window->Open(this->Hills()));
+  QCOMPARE(environment->GetImageSource(), static_cast<int>(vtkReliefEnvironment::File));
+  QVERIFY(window->SaveScene(this->Path("with-sky.json")));
+  QVERIFY(this->Read("with-sky.json").contains("\"sky.png\""));
+  QVERIFY(QFile::rename(this->Path("away.png"), this->Path("sky.png")));
+
   // A bad one changes nothing.
   this->Write("bad.hdr", "nonsense");
   ChooseFile(this->Path("bad.hdr"));
