@@ -59,7 +59,10 @@ RELIEF_FN real reliefInsideShare(real a, real b, real c)
   real low = min(a, b) / scale;
   c /= scale;
   real slope = low - high - c; // away from the higher end
-  real discriminant = slope * slope - 4.0f * high * c;
+  real rise = high - low - c;  // away from the lower one
+  // From the end nearer to zero: where two crossings meet there, nothing cancels.
+  real discriminant =
+    abs(low) < abs(high) ? rise * rise - 4.0f * low * c : slope * slope - 4.0f * high * c;
   real root = sqrt(max(discriminant, real(0.0f)));
   real share;
   if (aInside != bInside)
@@ -73,7 +76,7 @@ RELIEF_FN real reliefInsideShare(real a, real b, real c)
   }
   else
   {
-    share = aInside ? 2.0f * high / (root - slope) + 2.0f * low / (root - (high - low - c))
+    share = aInside ? 2.0f * high / (root - slope) + 2.0f * low / (root - rise)
                     : root / abs(c);
   }
   return clamp(share, real(0.0f), real(1.0f));

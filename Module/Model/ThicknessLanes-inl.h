@@ -57,8 +57,13 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c, Vector marg
   const Vector low = hn::Min(a, b);
   const Vector fall = hn::Sub(high, low);
   const Vector slope = hn::Sub(hn::Sub(low, high), c); // away from the higher end
+  const Vector rise = hn::Sub(fall, c);                // away from the lower one
+  // From the end nearer to zero: where two crossings meet there, nothing cancels.
+  const Mask fromLow = hn::Lt(hn::Abs(low), hn::Abs(high));
+  const Vector end = hn::IfThenElse(fromLow, low, high);
+  const Vector away = hn::IfThenElse(fromLow, rise, slope);
   const Vector discriminant =
-    hn::Sub(hn::Mul(slope, slope), hn::Mul(hn::Set(tag, 4.0f), hn::Mul(high, c)));
+    hn::Sub(hn::Mul(away, away), hn::Mul(hn::Set(tag, 4.0f), hn::Mul(end, c)));
   const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
 
   // A bow no deeper than the margin, a quarter of c, is none.
@@ -83,7 +88,7 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c, Vector marg
   const Mask brief = hn::And(left, hn::Lt(between, hn::Mul(hn::Set(tag, 0.0625f), bend)));
   if (HWY_UNLIKELY(!hn::AllFalse(tag, brief)))
   {
-    const Vector across = hn::Sub(root, hn::Sub(fall, c)); // as beside, from the lower end
+    const Vector across = hn::Sub(root, rise); // as beside, from the lower end
     numerator = hn::IfThenElse(
       brief, hn::Add(hn::Mul(twice, across), hn::Mul(hn::Add(low, low), beside)), numerator);
     denominator = hn::IfThenElse(brief, hn::Mul(beside, across), denominator);

@@ -244,6 +244,13 @@ std::vector<HardCase> MakeCases()
     "a cell that is crossed by a rounding error, bent so little that its square vanishes", corners,
     Sunk(0.0), { Sun(-45, 0) });
 
+  Terrain corner(2, 2);
+  corner.heights = { 0.0, 0.0, 1.0, 0.0 };
+  ReliefMedium clear = Dense(1.0);
+  clear.depth = 0.0;
+  add("CrossingsThatMeet", "a ray that touches the surface where it starts, or where it ends",
+    corner, clear, { Lamp(0, 1, 0), Lamp(1, 0, 0) });
+
   // Spacings.
   add("Spacing1To1000", "a sample a thousand times as long as wide", Spaced(rough, 1.0, 1000.0),
     half, { Sun(111, 30), Sun(45, 30), Sun(0, 1), Lamp(4, 3000, 3) });
