@@ -69,13 +69,15 @@ def terrain(size):
     return resize.GetOutput()
 
 
-def shade(image, sun, depth=None, scale=1.0):
+def shade(image, sun, depth=None, scale=1.0, vertical=False):
     shading = vtkImageReliefShading()
     shading.SetInputData(image)
     shading.GetScene().AddSun(*sun)
     shading.GetScene().SetHeightScale(scale)
     if depth is not None:
         shading.GetScene().GetMaterial().SetSubsurfaceDepth(depth)
+    if vertical:
+        shading.GetScene().GetMaterial().SetOffsetModeToVertical()
     shading.GenerateNormalsOn()
     shading.GenerateThicknessOn()
     shading.GenerateIlluminationOn()
@@ -103,7 +105,9 @@ def thickness():
     h = (60.0 + 85.0 * np.exp(-((x - 430.0) / 55.0) ** 2) + 25.0 * np.exp(-((x - 150.0) / 90.0) ** 2)
          + 12.0 * np.sin(x / 60.0))
     at, depth, altitude = 250, 30.0, 22.0
-    result = shade(image_of(np.stack([h, h]).astype(np.float32), (1.0, 1.0)), (90.0, altitude), depth)
+    # Straight down by t: the drawing's is the simplest offset.
+    result = shade(image_of(np.stack([h, h]).astype(np.float32), (1.0, 1.0)), (90.0, altitude), depth,
+                   vertical=True)
     r = array_of(result, "Thickness")[0, at, 0]
     d = array_of(result, "Illumination")[0, at, 0]
 

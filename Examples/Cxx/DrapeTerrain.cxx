@@ -11,10 +11,10 @@
 #include <vtkImageDataGeometryFilter.h>
 #include <vtkImageReliefShading.h>
 #include <vtkLight.h>
-#include <vtkOpenImageIOReader.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkReliefMaterial.h>
+#include <vtkReliefRasterReader.h>
 #include <vtkReliefScene.h>
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
@@ -32,11 +32,9 @@ int main(int argc, char* argv[])
   }
   const double exaggeration = 2.5;
 
-  // The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
-  // spacing, so the spacing is set in metres, as it is at the latitude of this file.
-  vtkNew<vtkOpenImageIOReader> heights;
+  // The file's samples are 3 seconds of arc apart. They come in metres, as heights do.
+  vtkNew<vtkReliefRasterReader> heights;
   heights->SetFileName(argv[1]);
-  heights->SetDataSpacing(74.6, 92.5, 1.0);
   heights->Update();
   if (heights->GetErrorCode() != vtkErrorCode::NoError)
   {

@@ -14,9 +14,9 @@
 #include <vtkInteractorStyleUser.h>
 #include <vtkLight.h>
 #include <vtkObjectFactory.h>
-#include <vtkOpenImageIOReader.h>
 #include <vtkReliefImageMapper.h>
 #include <vtkReliefMaterial.h>
+#include <vtkReliefRasterReader.h>
 #include <vtkReliefScene.h>
 #include <vtkRenderer.h>
 
@@ -76,9 +76,8 @@ int main(int argc, char* argv[])
     std::cerr << "Usage: " << argv[0] << " heights.tif [picture.png]\n";
     return EXIT_FAILURE;
   }
-  vtkNew<vtkOpenImageIOReader> heights;
+  vtkNew<vtkReliefRasterReader> heights;
   heights->SetFileName(argv[1]);
-  heights->SetDataSpacing(74.6, 92.5, 1.0); // metres, as in ShadeTerrain
   heights->Update();
   if (heights->GetErrorCode() != vtkErrorCode::NoError)
   {

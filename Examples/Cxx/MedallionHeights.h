@@ -113,7 +113,8 @@ inline vtkSmartPointer<vtkImageData> MakeHeights(double plate = 0.0)
   for (int k = 0; k < Samples * Samples; ++k)
   {
     const double x = First + k % Samples * Spacing;
-    const double y = First + k / Samples * Spacing;
+    const int row = k / Samples;
+    const double y = First + row * Spacing;
     const double radius = std::hypot(x, y);
     const double angle = std::atan2(y, x);
     double height = radius < 1.0 ? Field : 0.0;
@@ -146,7 +147,8 @@ inline vtkSmartPointer<vtkImageData> MakeHeights(double plate = 0.0)
   for (int k = 0; k < Samples * Samples; ++k)
   {
     const double x = First + k % Samples * Spacing;
-    const double y = First + k / Samples * Spacing;
+    const int row = k / Samples;
+    const double y = First + row * Spacing;
     const double turns = 0.5 - std::atan2(y, x) / Turn;
     const double u = (turns - std::floor(turns)) * (size[0] - 1);
     const double v = (std::hypot(x, y) - 0.73) / (Turn * 0.73) * size[0] + size[1] / 2.0;

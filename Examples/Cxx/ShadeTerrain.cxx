@@ -11,8 +11,8 @@
 #include <vtkImageSlice.h>
 #include <vtkImageSliceMapper.h>
 #include <vtkLight.h>
-#include <vtkOpenImageIOReader.h>
 #include <vtkReliefMaterial.h>
+#include <vtkReliefRasterReader.h>
 #include <vtkReliefScene.h>
 #include <vtkRenderer.h>
 
@@ -26,11 +26,9 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
-  // spacing, so the spacing is set in metres, as it is at the latitude of this file.
-  vtkNew<vtkOpenImageIOReader> heights;
+  // The file's samples are 3 seconds of arc apart. They come in metres, as heights do.
+  vtkNew<vtkReliefRasterReader> heights;
   heights->SetFileName(argv[1]);
-  heights->SetDataSpacing(74.6, 92.5, 1.0);
   heights->Update();
   if (heights->GetErrorCode() != vtkErrorCode::NoError)
   {

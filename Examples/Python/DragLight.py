@@ -8,7 +8,7 @@ Drag the dot; turn the wheel over it to raise the sun; double-click it to make a
 
 import argparse
 
-from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader, vtkReliefLightWidget
+from reliefshading import vtkImageReliefShading, vtkReliefLightWidget, vtkReliefRasterReader
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleImage
 from vtkmodules.vtkRenderingCore import (vtkImageSlice, vtkImageSliceMapper, vtkRenderer,
                                          vtkRenderWindow, vtkRenderWindowInteractor)
@@ -20,9 +20,8 @@ parser.add_argument("heights", help="TIFF file of heights in metres")
 parser.add_argument("picture", nargs="?", help="PNG file to write instead of opening a window")
 arguments = parser.parse_args()
 
-heights = vtkOpenImageIOReader()
+heights = vtkReliefRasterReader()
 heights.SetFileName(arguments.heights)
-heights.SetDataSpacing(74.6, 92.5, 1.0)  # metres between samples
 heights.Update()
 if heights.GetErrorCode():
     raise SystemExit(1)  # the reader has said why

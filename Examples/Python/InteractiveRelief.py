@@ -9,7 +9,7 @@ is played and its result written.
 
 import argparse
 
-from reliefshading import vtkOpenImageIOReader, vtkReliefImageMapper
+from reliefshading import vtkReliefImageMapper, vtkReliefRasterReader
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleUser
 from vtkmodules.vtkRenderingCore import (vtkCellPicker, vtkImageSlice, vtkLight, vtkRenderer,
                                          vtkRenderWindow, vtkRenderWindowInteractor)
@@ -21,9 +21,8 @@ parser.add_argument("heights", help="TIFF file of heights in metres")
 parser.add_argument("picture", nargs="?", help="PNG file to write instead of opening a window")
 arguments = parser.parse_args()
 
-heights = vtkOpenImageIOReader()
+heights = vtkReliefRasterReader()
 heights.SetFileName(arguments.heights)
-heights.SetDataSpacing(74.6, 92.5, 1.0)  # metres, as in ShadeTerrain
 heights.Update()
 if heights.GetErrorCode():
     raise SystemExit(1)  # the reader has said why

@@ -8,7 +8,8 @@ light, without shading again.
 import argparse
 
 import numpy as np
-from reliefshading import vtkImageReliefShading, vtkOpenEXRLayerWriter, vtkOpenImageIOReader
+from reliefshading import (vtkImageReliefShading, vtkOpenEXRLayerWriter, vtkOpenImageIOReader,
+                           vtkReliefRasterReader)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
@@ -20,9 +21,8 @@ parser.add_argument("layers", help="OpenEXR file to write")
 parser.add_argument("picture", nargs="?", help="PNG file of the new combination")
 arguments = parser.parse_args()
 
-heights = vtkOpenImageIOReader()
+heights = vtkReliefRasterReader()
 heights.SetFileName(arguments.heights)
-heights.SetDataSpacing(74.6, 92.5, 1.0)  # metres between samples
 
 shading = vtkImageReliefShading()
 shading.SetInputConnection(heights.GetOutputPort())

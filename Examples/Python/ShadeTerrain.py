@@ -6,7 +6,7 @@
 
 import argparse
 
-from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
+from reliefshading import vtkImageReliefShading, vtkReliefRasterReader
 from vtkmodules.vtkRenderingCore import (vtkImageSlice, vtkImageSliceMapper, vtkRenderer,
                                          vtkRenderWindow)
 
@@ -17,11 +17,9 @@ parser.add_argument("heights", help="TIFF file of heights in metres")
 parser.add_argument("picture", nargs="?", help="PNG file to write instead of opening a window")
 arguments = parser.parse_args()
 
-# The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
-# spacing, so the spacing is set in metres, as it is at the latitude of this file.
-heights = vtkOpenImageIOReader()
+# The file's samples are 3 seconds of arc apart. They come in metres, as heights do.
+heights = vtkReliefRasterReader()
 heights.SetFileName(arguments.heights)
-heights.SetDataSpacing(74.6, 92.5, 1.0)
 heights.Update()
 if heights.GetErrorCode():
     raise SystemExit(1)  # the reader has said why

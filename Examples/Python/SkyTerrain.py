@@ -6,7 +6,7 @@
 
 import argparse
 
-from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
+from reliefshading import vtkImageReliefShading, vtkReliefRasterReader
 from vtkmodules.vtkRenderingCore import (vtkImageSlice, vtkImageSliceMapper, vtkRenderer,
                                          vtkRenderWindow)
 
@@ -17,9 +17,8 @@ parser.add_argument("heights", help="TIFF file of heights in metres")
 parser.add_argument("picture", nargs="?", help="PNG file to write instead of opening a window")
 arguments = parser.parse_args()
 
-heights = vtkOpenImageIOReader()
+heights = vtkReliefRasterReader()
 heights.SetFileName(arguments.heights)
-heights.SetDataSpacing(74.6, 92.5, 1.0)  # metres between samples
 heights.Update()
 if heights.GetErrorCode():
     raise SystemExit(1)  # the reader has said why

@@ -10,7 +10,7 @@ where the farms have the valleys. Put an aerial photograph or a map of land cove
 import argparse
 
 import numpy as np
-from reliefshading import vtkImageReliefShading, vtkOpenImageIOReader
+from reliefshading import vtkImageReliefShading, vtkReliefRasterReader
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageResample
@@ -69,11 +69,9 @@ parser.add_argument("heights", help="TIFF file of heights in metres")
 parser.add_argument("picture", nargs="?", help="PNG file to write instead of opening a window")
 arguments = parser.parse_args()
 
-# The file's samples are 3 seconds of arc apart. Shading needs one unit of length for heights and
-# spacing, so the spacing is set in metres, as it is at the latitude of this file.
-reader = vtkOpenImageIOReader()
+# The file's samples are 3 seconds of arc apart. They come in metres, as heights do.
+reader = vtkReliefRasterReader()
 reader.SetFileName(arguments.heights)
-reader.SetDataSpacing(74.6, 92.5, 1.0)
 reader.Update()
 if reader.GetErrorCode():
     raise SystemExit(1)  # the reader has said why

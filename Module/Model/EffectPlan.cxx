@@ -20,6 +20,7 @@ EffectPlan PlanEffects(const HeightField& field, const Scene& scene)
   const double kf = scene.scatterCoefficient;
   EffectPlan plan;
   plan.matte = ks < 1.0 && (!scene.diffuseTextures.empty() || !IsBlack(scene.diffuse));
+  double all = 0.0;
   plan.mirror = ks > 0.0 && (!scene.specularTextures.empty() || !IsBlack(scene.specular));
   for (const Light& light : scene.lights)
   {
@@ -28,6 +29,7 @@ EffectPlan PlanEffects(const HeightField& field, const Scene& scene)
     one.directional = !light.positional;
     one.vector = glm::vec3(light.vector);
     one.radiance = glm::vec3(light.color * (light.intensity * light.weight));
+    one.share = static_cast<float>(light.intensity * light.weight);
     one.lit = light.intensity * light.weight != 0.0 && !IsBlack(light.color);
     // With the closed form r is infinite below the horizon, unless a floor ends it.
     one.dark = one.directional && light.vector.z < 0.0 && !scene.medium.useFloor &&
@@ -45,9 +47,30 @@ EffectPlan PlanEffects(const HeightField& field, const Scene& scene)
     plan.diffuse = plan.diffuse || (one.trace && kf < 1.0);
     plan.scatter = plan.scatter || (one.trace && kf > 0.0);
     plan.specular = plan.specular || (one.lit && plan.mirror);
+    plan.shareSum += one.lit ? one.share * light.open : 0.0;
+    all += one.lit ? one.share : 0.0f;
     plan.lights.push_back(one);
   }
+  // An environment that shines from below only gives level ground nothing in the open.
+  plan.shareSum = plan.shareSum != 0.0 ? plan.shareSum : all;
   return plan;
+}
+
+int FindEffects(const Scene& scene, const EffectPlan& plan, bool traced, bool normals)
+{
+  const bool illuminates = plan.diffuse || plan.scatter;
+  const bool illumination = illuminates || traced;
+  const bool offset = illumination && scene.medium.offset == f64::RELIEF_SURFACE_NORMAL;
+  int effects = 0;
+  auto add = [&](bool wanted, Effect effect) { effects |= wanted ? effect : 0; };
+  add(illumination, IlluminationEffect);
+  add(plan.specular || offset || normals, NormalsEffect);
+  add(plan.specular, SpecularEffect);
+  add(plan.scatter, ScatterEffect);
+  add(scene.specularCoefficient < 1.0 && !scene.baseTextures.empty(), BaseTextureEffect);
+  add(illuminates && !scene.diffuseTextures.empty(), DiffuseTextureEffect);
+  add(plan.specular && !scene.specularTextures.empty(), SpecularTextureEffect);
+  return effects;
 }
 
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightField.h"
 
+#include "HeightRows.h"
+#include "HeightTypes.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -49,24 +52,8 @@ class RowReader
 public:
   explicit RowReader(const HeightSource<T>& source)
     : Source(source)
-    , NoData(static_cast<T>(0))
-    , HasNoData(source.hasNoData)
+    , NoData(source.hasNoData ? NoDataOf<T>(source.noData) : std::nullopt)
   {
-    // A nodata value is compared in the type of the samples, in which files store it.
-    if constexpr (std::is_integral_v<T>)
-    {
-      this->HasNoData = this->HasNoData && std::floor(source.noData) == source.noData &&
-        source.noData >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
-        source.noData <= static_cast<double>(std::numeric_limits<T>::max());
-      this->NoData = static_cast<T>(this->HasNoData ? source.noData : 0.0);
-    }
-    else
-    {
-      // The largest float is often written with so few digits that it reads a little larger.
-      constexpr double largest = std::numeric_limits<T>::max();
-      this->HasNoData = this->HasNoData && std::abs(source.noData) / (1.0 + 2e-8) <= largest;
-      this->NoData = static_cast<T>(std::clamp(source.noData, -largest, largest));
-    }
   }
 
   // Heights as lengths above the datum, NaN without data. Real is double where float may not do.
@@ -77,6 +64,15 @@ public:
     const std::ptrdiff_t step = this->Source.stepX;
     const int columns = this->Source.columns;
     const double scale = this->Source.scale;
+    if constexpr (std::is_same_v<T, float> && std::is_same_v<Real, float>)
+    {
+      if (step == 1)
+      {
+        ReadHeights(values, columns, scale, datum, this->NoData ? &*this->NoData : nullptr, row);
+        this->ApplyMask(j, row);
+        return;
+      }
+    }
     if (step == 1)
     {
       for (int i = 0; i < columns; ++i)
@@ -101,52 +97,106 @@ public:
         row[i] = finite ? row[i] : none;
       }
     }
-    if (this->HasNoData)
+    if (this->NoData)
     {
+      const T noData = *this->NoData;
       for (int i = 0; i < columns; ++i)
       {
-        row[i] = values[i * step] == this->NoData ? none : row[i];
+        row[i] = values[i * step] == noData ? none : row[i];
       }
     }
-    if (this->Source.hasData)
-    {
-      for (int i = 0; i < columns; ++i)
-      {
-        row[i] = this->Source.hasData(i, j) ? row[i] : none;
-      }
-    }
-  }
-
-  // Whether float values can be used as they stand: nothing to change and no infinity among them.
-  bool IsPlain(const float* row, int j) const
-  {
-    bool plain = this->Source.scale == 1.0 && !this->HasNoData && !this->Source.hasData;
-    const T* values = this->Source.data + j * this->Source.stepY;
-    for (int i = 0; plain && i < this->Source.columns; ++i)
-    {
-      plain =
-        !std::isnan(row[i]) || values[i * this->Source.stepX] != values[i * this->Source.stepX];
-    }
-    return plain;
+    this->ApplyMask(j, row);
   }
 
 private:
+  template <class Real>
+  void ApplyMask(int j, Real* row) const
+  {
+    for (int i = 0; this->Source.hasData && i < this->Source.columns; ++i)
+    {
+      row[i] = this->Source.hasData(i, j) ? row[i] : std::numeric_limits<Real>::quiet_NaN();
+    }
+  }
+
   const HeightSource<T>& Source;
-  T NoData;
-  bool HasNoData;
+  std::optional<T> NoData;
 };
 
-template <class Real>
-void AddToRange(const Real* row, int columns, Range& range)
+void AddRowToRange(const float* row, int columns, Range& range)
 {
-  Real lo = std::numeric_limits<Real>::infinity();
-  Real hi = -lo;
+  float lo = std::numeric_limits<float>::infinity();
+  float hi = -lo;
+  AddToRange(row, columns, lo, hi);
+  range.Add(lo, hi);
+}
+
+void AddRowToRange(const double* row, int columns, Range& range)
+{
   for (int i = 0; i < columns; ++i)
   {
-    lo = row[i] < lo ? row[i] : lo;
-    hi = row[i] > hi ? row[i] : hi;
+    range.Add(row[i], row[i]);
   }
-  range.Add(lo, hi);
+}
+
+// Adds what body(begin, end, part) finds in rows, in parallel.
+template <class Body>
+Range RangeOfRows(int rows, const ParallelFor& parallelFor, Body&& body)
+{
+  Range range;
+  std::mutex mutex;
+  parallelFor(rows,
+    [&](int begin, int end)
+    {
+      Range part;
+      body(begin, end, part);
+      std::lock_guard<std::mutex> lock(mutex);
+      range.Add(part.lo, part.hi);
+    });
+  return range;
+}
+
+// In double, whatever the datum.
+template <class T>
+Range ExactRange(
+  const HeightSource<T>& source, const RowReader<T>& reader, const ParallelFor& parallelFor)
+{
+  return RangeOfRows(source.rows, parallelFor,
+    [&](int begin, int end, Range& part)
+    {
+      std::vector<double> row(source.columns);
+      for (int j = begin; j < end; ++j)
+      {
+        reader.Read(j, 0.0, row.data());
+        AddRowToRange(row.data(), source.columns, part);
+      }
+    });
+}
+
+// Of float rows as they stand, with the bounds of their blocks, while they are in the cache.
+Range BoundRows(
+  const HeightSource<float>& source, const ParallelFor& parallelFor, MinMaxPyramid& pyramid)
+{
+  constexpr int size = MinMaxPyramid::BlockSize;
+  const int bands = std::max((source.rows - 1 + size - 1) / size, 1);
+  return RangeOfRows(bands, parallelFor,
+    [&](int begin, int end, Range& part)
+    {
+      for (int band = begin; band < end; ++band)
+      {
+        const int last = std::min(band * size + size, source.rows - 1);
+        const float* rows[size + 1];
+        int count = 0;
+        for (int j = band * size; j <= last; ++j, ++count)
+        {
+          rows[count] = source.data + j * source.stepY;
+          if (count < size || band + 1 == bands)
+          {
+            AddRowToRange(rows[count], source.columns, part);
+          }
+        }
+        pyramid.BuildBaseRow(band, rows, count);
+      }
+    });
 }
 
 }
@@ -157,156 +207,185 @@ std::string HeightField::Assign(
 {
   static std::atomic<std::uint64_t> versions{ 0 };
   this->Version = ++versions;
-  const RowReader<T> reader(source);
-  const float none = std::numeric_limits<float>::quiet_NaN();
   HeightView<float>& view = this->Prepared.heights;
   view.columns = source.columns;
   view.rows = source.rows;
   view.spacingX = source.spacingX;
   view.spacingY = source.spacingY;
   this->MissingRow = nullptr;
-  std::mutex mutex;
-
+  this->Pyramid.Allocate(source.columns, source.rows);
+  std::string wrong;
   bool inPlace = false;
   if constexpr (std::is_same_v<T, float>)
   {
-    if (!padded)
-    {
-      Range range;
-      inPlace = true;
-      parallelFor(source.rows,
-        [&](int begin, int end)
-        {
-          std::vector<float> row(source.columns);
-          Range part;
-          bool plain = true;
-          for (int j = begin; j < end && plain; ++j)
-          {
-            reader.Read(j, 0.0, row.data());
-            plain = reader.IsPlain(row.data(), j);
-            AddToRange(row.data(), source.columns, part);
-          }
-          std::lock_guard<std::mutex> lock(mutex);
-          inPlace = inPlace && plain;
-          range.Add(part.lo, part.hi);
-        });
-      if (inPlace)
-      {
-        const std::string wrong = CheckRelief(range);
-        if (!wrong.empty())
-        {
-          return wrong;
-        }
-        this->Copy = std::vector<float>();
-        this->Datum = 0.0;
-        this->Bottom = static_cast<float>(range.lo);
-        this->Top = static_cast<float>(range.hi);
-        view.data = source.data;
-        view.stepX = source.stepX;
-        view.stepY = source.stepY;
-      }
-    }
+    inPlace = (!padded || (source.margin >= Padding && source.stepX == 1)) &&
+      this->AssignInPlace(source, parallelFor, wrong);
+    this->MissingRow = inPlace && padded ? source.data + source.rows * source.stepY : nullptr;
   }
-
   if (!inPlace)
   {
-    const int margin = padded ? Padding : 0;
-    const std::size_t pitch = static_cast<std::size_t>(source.columns) + 2 * margin;
-    this->Copy.resize(pitch * (static_cast<std::size_t>(source.rows) + (padded ? 1 : 0)));
-    float* first = this->Copy.data() + margin;
-
-    auto copy = [&](double datum)
-    {
-      Range range;
-      parallelFor(source.rows,
-        [&](int begin, int end)
-        {
-          Range part;
-          for (int j = begin; j < end; ++j)
-          {
-            float* row = first + static_cast<std::size_t>(j) * pitch;
-            std::fill_n(row - margin, margin, none);
-            reader.Read(j, datum, row);
-            std::fill_n(row + source.columns, margin, none);
-            AddToRange(row, source.columns, part);
-          }
-          std::lock_guard<std::mutex> lock(mutex);
-          range.Add(part.lo, part.hi);
-        });
-      return range;
-    };
-    auto exactRange = [&]()
-    {
-      Range range;
-      std::vector<double> row(source.columns);
-      for (int j = 0; j < source.rows; ++j)
-      {
-        reader.Read(j, 0.0, row.data());
-        AddToRange(row.data(), source.columns, range);
-      }
-      return range;
-    };
-    this->Datum = 0.0;
-    Range range = copy(0.0);
-    const double largest = std::max(std::abs(range.lo), std::abs(range.hi));
-    const bool hasData = range.hi >= range.lo;
-    // Float input has no more digits to keep.
-    if (hasData && !std::is_same_v<T, float> && largest > 64.0 * (range.hi - range.lo))
-    {
-      const Range exact = exactRange();
-      this->Datum = exact.lo + (exact.hi - exact.lo) / 2.0;
-      range = copy(this->Datum);
-    }
-    if (hasData && (std::isinf(range.lo) || std::isinf(range.hi)))
-    {
-      const Range exact = exactRange();
-      std::ostringstream message;
-      message << "heights reach from " << exact.lo << " to " << exact.hi
-              << ", numbers within single precision (3.4e38) are expected";
-      return message.str();
-    }
-    const std::string wrong = CheckRelief(range);
-    if (!wrong.empty())
-    {
-      return wrong;
-    }
-    this->Bottom = static_cast<float>(range.lo);
-    this->Top = static_cast<float>(range.hi);
-    if (padded)
-    {
-      float* missing = first + static_cast<std::size_t>(source.rows) * pitch;
-      std::fill_n(missing - margin, pitch, none);
-      this->MissingRow = missing;
-    }
-    view.data = first;
-    view.stepX = 1;
-    view.stepY = static_cast<std::ptrdiff_t>(pitch);
+    wrong = this->AssignCopy(source, parallelFor, padded);
+  }
+  if (!wrong.empty())
+  {
+    return wrong;
   }
 
-  this->Pyramid.Allocate(source.columns, source.rows);
-  parallelFor(this->Pyramid.GetNumberOfBaseRows(),
-    [&](int begin, int end) { this->Pyramid.BuildBase(view, begin, end); });
   this->Pyramid.BuildUpper();
+  // The sweep's vectors go on behind the last window, a tile's worth and what one has more.
+  constexpr int margin = 2 * Padding;
+  this->Windows.Allocate(padded ? source.columns : 0, padded ? source.rows : 0, margin);
+  parallelFor(this->Windows.GetNumberOfRows(),
+    [&](int begin, int end) { this->Windows.Build(view, begin, end); });
+  for (int size = 0; size < NumberOfSquares; ++size)
+  {
+    this->Squares[size].Build(
+      this->Pyramid, size, padded ? GetNumberOfBlocks(size) : 0, parallelFor);
+  }
   this->Prepared.top = this->Top;
   this->Prepared.bounds = &this->Pyramid;
   return std::string();
 }
 
+bool HeightField::AssignInPlace(
+  const HeightSource<float>& source, const ParallelFor& parallelFor, std::string& wrong)
+{
+  const bool marked = source.hasNoData && NoDataOf<float>(source.noData);
+  if (source.scale != 1.0 || marked || source.hasData)
+  {
+    return false;
+  }
+  HeightView<float>& view = this->Prepared.heights;
+  view.data = source.data;
+  view.stepX = source.stepX;
+  view.stepY = source.stepY;
+  Range range;
+  if (source.stepX == 1)
+  {
+    range = BoundRows(source, parallelFor, this->Pyramid);
+  }
+  else
+  {
+    range = RangeOfRows(source.rows, parallelFor,
+      [&](int begin, int end, Range& part)
+      {
+        for (int j = begin; j < end; ++j)
+        {
+          for (int i = 0; i < source.columns; ++i)
+          {
+            part.Add(view.At(i, j), view.At(i, j));
+          }
+        }
+      });
+    parallelFor(this->Pyramid.GetNumberOfBaseRows(),
+      [&](int begin, int end) { this->Pyramid.BuildBase(view, begin, end); });
+  }
+  if (range.hi == std::numeric_limits<double>::infinity() ||
+    range.lo == -std::numeric_limits<double>::infinity())
+  {
+    return false; // a height that is infinite is none
+  }
+  wrong = CheckRelief(range);
+  if (wrong.empty())
+  {
+    this->Copy.Allocate(0);
+    this->Datum = 0.0;
+    this->Bottom = static_cast<float>(range.lo);
+    this->Top = static_cast<float>(range.hi);
+  }
+  return true;
+}
+
+template <class T>
+std::string HeightField::AssignCopy(
+  const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded)
+{
+  const RowReader<T> reader(source);
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const int margin = padded ? Padding : 0;
+  const std::size_t pitch = static_cast<std::size_t>(source.columns) + 2 * margin;
+  this->Copy.Allocate(pitch * (static_cast<std::size_t>(source.rows) + (padded ? 1 : 0)));
+  float* first = this->Copy.data() + margin;
+  auto rowAt = [&](int j) { return first + static_cast<std::size_t>(j) * pitch; };
+  constexpr int size = MinMaxPyramid::BlockSize;
+  const int bands = std::max((source.rows - 1 + size - 1) / size, 1);
+  // A band has as many rows as blocks have cells, the last one all that are left. Bounds are found
+  // while its heights are in the cache; the row that closes its blocks may be another part's.
+  auto copy = [&](double datum)
+  {
+    return RangeOfRows(bands, parallelFor,
+      [&](int begin, int end, Range& part)
+      {
+        const int endRow = end < bands ? end * size : source.rows;
+        std::vector<float> beyond(source.columns);
+        int next = begin * size;
+        for (int band = begin; band < end; ++band)
+        {
+          const int last = std::min(band * size + size, source.rows - 1);
+          for (; next <= last && next < endRow; ++next)
+          {
+            float* row = rowAt(next);
+            std::fill_n(row - margin, margin, none);
+            reader.Read(next, datum, row);
+            std::fill_n(row + source.columns, margin, none);
+            AddRowToRange(row, source.columns, part);
+          }
+          const float* rows[size + 1];
+          int count = 0;
+          for (int j = band * size; j <= last; ++j, ++count)
+          {
+            rows[count] = j < endRow ? rowAt(j) : beyond.data();
+          }
+          if (last >= endRow)
+          {
+            reader.Read(last, datum, beyond.data());
+          }
+          this->Pyramid.BuildBaseRow(band, rows, count);
+        }
+      });
+  };
+
+  this->Datum = 0.0;
+  Range range = copy(0.0);
+  const double largest = std::max(std::abs(range.lo), std::abs(range.hi));
+  const bool hasData = range.hi >= range.lo;
+  // Float input has no more digits to keep.
+  if (hasData && !std::is_same_v<T, float> && largest > 64.0 * (range.hi - range.lo))
+  {
+    const Range exact = ExactRange(source, reader, parallelFor);
+    this->Datum = exact.lo + (exact.hi - exact.lo) / 2.0;
+    range = copy(this->Datum);
+  }
+  if (hasData && (std::isinf(range.lo) || std::isinf(range.hi)))
+  {
+    const Range exact = ExactRange(source, reader, parallelFor);
+    std::ostringstream message;
+    message << "heights reach from " << exact.lo << " to " << exact.hi
+            << ", numbers within single precision (3.4e38) are expected";
+    return message.str();
+  }
+  const std::string wrong = CheckRelief(range);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  this->Bottom = static_cast<float>(range.lo);
+  this->Top = static_cast<float>(range.hi);
+  if (padded)
+  {
+    float* missing = first + static_cast<std::size_t>(source.rows) * pitch;
+    std::fill_n(missing - margin, pitch, none);
+    this->MissingRow = missing;
+  }
+  this->Prepared.heights.data = first;
+  this->Prepared.heights.stepX = 1;
+  this->Prepared.heights.stepY = static_cast<std::ptrdiff_t>(pitch);
+  return std::string();
+}
+
 #define RELIEF_INSTANTIATE(T)                                                                      \
   template std::string HeightField::Assign(const HeightSource<T>&, const ParallelFor&, bool)
-RELIEF_INSTANTIATE(char);
-RELIEF_INSTANTIATE(signed char);
-RELIEF_INSTANTIATE(unsigned char);
-RELIEF_INSTANTIATE(short);
-RELIEF_INSTANTIATE(unsigned short);
-RELIEF_INSTANTIATE(int);
-RELIEF_INSTANTIATE(unsigned int);
-RELIEF_INSTANTIATE(long);
-RELIEF_INSTANTIATE(unsigned long);
-RELIEF_INSTANTIATE(long long);
-RELIEF_INSTANTIATE(unsigned long long);
-RELIEF_INSTANTIATE(float);
-RELIEF_INSTANTIATE(double);
+RELIEF_FOR_HEIGHT_TYPES(RELIEF_INSTANTIATE);
 #undef RELIEF_INSTANTIATE
 
 }

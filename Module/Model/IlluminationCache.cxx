@@ -1,44 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IlluminationCache.h"
 
-#include <glm/vector_relational.hpp>
-
-#include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace relief
 {
 
-bool IlluminationCache::Key::operator==(const Key& o) const
+bool IlluminationCache::Key::operator==(const Key& other) const
 {
-  const f64::ReliefMedium& a = this->medium;
-  const f64::ReliefMedium& b = o.medium;
-  return this->field == o.field && this->i0 == o.i0 && this->j0 == o.j0 &&
-    this->columns == o.columns && this->rows == o.rows && this->vector == o.vector &&
-    this->positional == o.positional && this->steps == o.steps && this->thickness == o.thickness &&
-    a.depth == b.depth && a.offset == b.offset && a.attenuation == b.attenuation &&
-    a.density == b.density && a.useFloor == b.useFloor && a.floorHeight == b.floorHeight &&
-    a.tolerance == b.tolerance;
+  auto part = [](const Key& key)
+  { return std::tie(key.i0, key.j0, key.columns, key.rows, key.thickness); };
+  return this->light == other.light && part(*this) == part(other);
 }
 
-std::shared_ptr<const IlluminationCache::Entry> IlluminationCache::Find(const Key& key) const
+std::shared_ptr<IlluminationCache::Entry> IlluminationCache::Find(const Key& key) const
 {
-  auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-    [&](const std::shared_ptr<const Entry>& entry) { return entry->key == key; });
-  return found == this->Entries.end() ? nullptr : *found;
+  const auto found = this->Entries.find(key);
+  return found == this->Entries.end() ? nullptr : found->second;
 }
 
-void IlluminationCache::Keep(std::vector<std::shared_ptr<const Entry>> used)
+RawArray<float> IlluminationCache::TakeUnused(std::size_t samples)
+{
+  for (auto at = this->Entries.begin(); at != this->Entries.end(); ++at)
+  {
+    const std::shared_ptr<Entry>& entry = at->second;
+    if (entry.use_count() == 1 && entry->illumination.size() == samples)
+    {
+      RawArray<float> room = std::move(entry->illumination);
+      this->Entries.erase(at);
+      return room;
+    }
+  }
+  return {};
+}
+
+void IlluminationCache::Keep(std::vector<std::shared_ptr<Entry>> used)
 {
   this->Entries.clear();
   std::size_t size = 0;
-  for (std::shared_ptr<const Entry>& entry : used)
+  for (std::shared_ptr<Entry>& entry : used)
   {
     size += SizeOf(entry->key);
     if (size > this->Limit)
     {
       return;
     }
-    this->Entries.push_back(std::move(entry));
+    const Key key = entry->key;
+    this->Entries.emplace(key, std::move(entry));
   }
 }
 

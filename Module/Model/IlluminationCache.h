@@ -2,11 +2,12 @@
 #ifndef IlluminationCache_h
 #define IlluminationCache_h
 
-#include "HeightField.h"
-#include "RayThickness.h"
+#include "IlluminationKey.h"
+#include "RawArray.h"
 
 #include <cstddef>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace relief
@@ -20,18 +21,14 @@ namespace relief
 class IlluminationCache
 {
 public:
-  /// Everything that a light's illumination depends on.
+  /// A light's illumination of a part of the field.
   struct Key
   {
-    std::uint64_t field = 0; ///< HeightField::GetVersion()
-    int i0 = 0;              ///< the part of the field
+    IlluminationKey light;
+    int i0 = 0; ///< the part of the field
     int j0 = 0;
     int columns = 0;
     int rows = 0;
-    glm::dvec3 vector = glm::dvec3(0.0); ///< of the light
-    bool positional = false;
-    f64::ReliefMedium medium = {};
-    int steps = 0; ///< of FixedStep, 0 for Exact
     bool thickness = false;
 
     bool operator==(const Key& other) const;
@@ -40,8 +37,8 @@ public:
   struct Entry
   {
     Key key;
-    std::vector<float> illumination;
-    std::vector<float> thickness; ///< empty unless the key asks for it
+    RawArray<float> illumination;
+    RawArray<float> thickness; ///< empty unless the key asks for it
   };
 
   ///@{
@@ -58,13 +55,23 @@ public:
   }
 
   /// What is kept for a key, or null.
-  std::shared_ptr<const Entry> Find(const Key& key) const;
+  std::shared_ptr<Entry> Find(const Key& key) const;
+
+  /// The room of an illumination of so many samples that nobody uses, to be written anew; its entry
+  /// is kept no longer. Nothing where there is none. To be asked for once all that is used is
+  /// found.
+  RawArray<float> TakeUnused(std::size_t samples);
 
   /// Keeps the entries that the last run used, as far as the limit allows, and forgets all others.
-  void Keep(std::vector<std::shared_ptr<const Entry>> used);
+  void Keep(std::vector<std::shared_ptr<Entry>> used);
 
 private:
-  std::vector<std::shared_ptr<const Entry>> Entries;
+  // A run asks for one part of the field, so the light tells entries apart.
+  struct Hash
+  {
+    std::size_t operator()(const Key& key) const { return IlluminationHash()(key.light); }
+  };
+  std::unordered_map<Key, std::shared_ptr<Entry>, Hash> Entries;
   std::size_t Limit = 0;
 };
 

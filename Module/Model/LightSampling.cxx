@@ -90,6 +90,7 @@ std::vector<PatchLight> DivideBySolidAngle(int samples)
     patches.push_back({ patch.azimuth0, patch.azimuth1, 2.0 - patch.m1, 2.0 - patch.m0 });
   }
   std::vector<PatchLight> lights;
+  lights.reserve(patches.size());
   for (const SkyPatch& patch : patches)
   {
     lights.push_back(
@@ -186,6 +187,7 @@ std::vector<Light> SampleEnvironment(
     light.vector = glm::normalize(place * one.toward);
     light.color = turned.Mean(one.patch);
     light.weight = uniform ? 1.0 / samples : one.patch.Area() / Pi;
+    light.open = std::max(light.vector.z, 0.0); // on level ground
     light.toleranceScale = even;
     lights.push_back(light);
   }

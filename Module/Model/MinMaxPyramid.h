@@ -2,6 +2,8 @@
 #ifndef MinMaxPyramid_h
 #define MinMaxPyramid_h
 
+#include "RawArray.h"
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -38,10 +40,16 @@ public:
   /// Fills rows [begin, end) of level 0 from the heights. Distinct rows may be filled at once.
   void BuildBase(const HeightView<float>& heights, int begin, int end);
 
+  /// Fills one row of level 0 from its samples: of `count` rows, the last of which the next row of
+  /// blocks begins with. Nothing where a field has no cells.
+  void BuildBaseRow(int row, const float* const* samples, int count);
+
   /// Fills the other levels from level 0.
   void BuildUpper();
 
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
+  int GetColumns(int level) const { return this->Levels[level].columns; } ///< of blocks
+  int GetRows(int level) const { return this->Levels[level].rows; }
   int GetNumberOfBaseRows() const { return this->Levels.empty() ? 0 : this->Levels[0].rows; }
   std::size_t GetMemorySize() const;
 
@@ -84,9 +92,10 @@ private:
   {
     int columns = 0;
     int rows = 0;
-    std::vector<Bounds> blocks;
+    RawArray<Bounds> blocks;
   };
   std::vector<Level> Levels;
+  int Columns = 0; // of samples
 };
 
 }

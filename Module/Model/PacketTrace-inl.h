@@ -8,9 +8,10 @@
 #endif
 
 #include "MinMaxPyramid.h"
+#include "PacketLanes-inl.h"
 #include "RayThickness.h"
-#include "ThicknessLanes-inl.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -20,133 +21,322 @@ namespace relief
 namespace HWY_NAMESPACE
 {
 
-using Ints = hn::Vec<IntTag>;
-
-constexpr float Infinity = std::numeric_limits<float>::infinity();
-
-// The rays of neighbouring samples of a row, and what has been found of them.
-struct Packet
+// Where a packet's rays run. References, since on some processors a vector cannot be a member; all
+// is inlined where they are.
+struct LaneRays
 {
-  HWY_ALIGN float x[MaxLanes]; // start, in samples from the sample
-  HWY_ALIGN float y[MaxLanes];
-  HWY_ALIGN float base[MaxLanes];
-  HWY_ALIGN float sink[MaxLanes];
-  HWY_ALIGN float dx[MaxLanes];
-  HWY_ALIGN float dy[MaxLanes];
-  HWY_ALIGN float dz[MaxLanes];
-  HWY_ALIGN float from[MaxLanes]; // the stretch that can be inside
-  HWY_ALIGN float to[MaxLanes];
-  HWY_ALIGN float ground[MaxLanes]; // height above base at the start
-  HWY_ALIGN float cellX[MaxLanes];  // the cell ahead, from the sample; whole numbers
-  HWY_ALIGN float cellY[MaxLanes];
-  HWY_ALIGN std::int32_t active[MaxLanes]; // -1 or 0
-  HWY_ALIGN float thickness[MaxLanes];
-  HWY_ALIGN float rest[MaxLanes];
+  const Vector& x;
+  const Vector& y;
+  const Vector& base;
+  const Vector& sink;
+  const Vector& dx;
+  const Vector& dy;
+  const Vector& dz;
+  const Vector& from;
+  const Vector& to;
+  const Vector& perCell; // length that is a cell at most
+  const Vector& acrossX; // cells per unit of length
+  const Vector& acrossY;
+  const Vector& lane;
+  const Vector& firstX; // cells of the image
+  const Vector& lastX;
+  const Vector& firstY;
+  const Vector& lastY;
+  const Vector& widest; // more than the margin anywhere on the ray
+  const Mask& west;
+  const Mask& south;
+  const Mask& alongX;
+  const Mask& alongY;
+  const Ints& pitchX;
+  const Ints& pitchY;
+  const Ints& edgeX; // from a cell to the edge ahead
+  const Ints& edgeY;
+  bool oneWay; // whether all rays run to the same side of each axis, and to which
+  int eastward;
+  int northward;
 };
 
-// reliefLevelLength() for the lanes of a vector; the end may be infinite.
-HWY_INLINE Vector LevelLength(Tag tag, Vector s0, Vector s1, Vector ground, Vector dz)
+// How far the rays are.
+struct LaneState
 {
+  Packet& packet;
+  Vector& s;
+  Vector& cellX;
+  Vector& cellY;
+  Vector& ground;
+  Vector& above; // the ground's height above the ray
+  Vector& thickness;
+  Mask& onSurface; // whether ground is the surface's height, or one that is held
+  Mask& active;
+  Mask& inside; // rays that were inside where what is held began
+  Mask& alone;  // rays to be traced by themselves
+  bool allOnSurface = true;
+  bool resumed = false;   // after a skipped stretch, where the ground is not known yet
+  float reach = 8.0f;     // how many cells to look ahead
+  float twist = Infinity; // no patch in the stretch looked at is more twisted; infinite with holes
+};
+
+// The way of the rays through their cells.
+struct LaneStep
+{
+  const Mask& throughX;
+  const Vector& s1;
+  const Vector& length;
+  const Mask& clipped; // rays whose stretch begins or ends in this cell
+};
+
+HWY_INLINE Mask InImage(const LaneRays& rays, Vector cellX, Vector cellY)
+{
+  return hn::And(hn::And(hn::Ge(cellX, rays.firstX), hn::Le(cellX, rays.lastX)),
+    hn::And(hn::Ge(cellY, rays.firstY), hn::Le(cellY, rays.lastY)));
+}
+
+// The margin of reliefAbove().
+HWY_INLINE Vector MarginAt(Vector sink, Vector rise)
+{
+  return hn::Mul(hn::Set(Tag(), f32::RELIEF_ROUNDING), hn::Add(hn::Abs(rise), sink));
+}
+
+// Looks whether the next cells of all rays lie above or below them, and if so takes the rays there.
+// Otherwise it learns how twisted the patches are.
+HWY_INLINE bool LookAhead(
+  const Field<float>& field, int i, int j, const LaneRays& rays, LaneState& state)
+{
+  const Tag tag;
   const Vector zero = hn::Zero(tag);
-  const Vector crossing = hn::Div(ground, dz);
-  const Mask up = hn::Gt(dz, zero);
-  const Vector begin = hn::IfThenElse(up, s0, hn::Max(s0, crossing));
-  const Vector end = hn::IfThenElse(up, hn::Min(s1, crossing), s1);
-  const Vector level = hn::IfThenElseZero(hn::Gt(ground, zero), hn::Sub(s1, s0));
-  // Both may be infinite.
-  const Vector slanted = hn::IfThenElseZero(hn::Gt(end, begin), hn::Sub(end, begin));
-  const Vector length = hn::IfThenElse(hn::Eq(dz, zero), level, slanted);
-  return hn::IfThenElseZero(hn::Gt(s1, s0), length);
-}
 
-HWY_INLINE float Least(Tag tag, Mask mask, Vector v)
-{
-  return hn::GetLane(hn::MinOfLanes(tag, hn::IfThenElse(mask, v, hn::Set(tag, Infinity))));
-}
-
-HWY_INLINE float Greatest(Tag tag, Mask mask, Vector v)
-{
-  return hn::GetLane(hn::MaxOfLanes(tag, hn::IfThenElse(mask, v, hn::Set(tag, -Infinity))));
-}
-
-// The heights that rays read: at cells of their own, or, while all rays are in cells side by side
-// as their samples are, by loads of unit stride.
-class HeightLanes
-{
-public:
-  HeightLanes(const HeightView<float>& heights, Tag tag)
-    : Data(heights.data)
-    , PitchX(static_cast<std::int32_t>(heights.stepX))
-    , PitchY(static_cast<std::int32_t>(heights.stepY))
-    , Count(this->PitchY * (heights.rows - 1) + this->PitchX * (heights.columns - 1) + 1)
-    , Lanes(static_cast<std::int32_t>(hn::Lanes(tag)))
+  // As far as all rays get in `reach` cells. Where rays would leave the image they keep to their
+  // steps.
+  const Vector ahead = hn::MulAdd(hn::Set(tag, state.reach - 0.5f), rays.perCell, state.s);
+  const Vector x1 = hn::MulAdd(rays.dx, ahead, rays.x);
+  const Vector y1 = hn::MulAdd(rays.dy, ahead, rays.y);
+  const Vector endX = hn::Floor(x1);
+  const Vector endY = hn::Floor(y1);
+  const Mask inside = hn::And(InImage(rays, endX, endY), InImage(rays, state.cellX, state.cellY));
+  if (!hn::AllFalse(tag, hn::AndNot(inside, state.active)))
   {
+    return false;
   }
-
-  // Finds out how to read at these cells. Rays that are not active may be anywhere.
-  HWY_INLINE void SetCells(Ints index, Mask active)
+  const Vector lowX = hn::Add(hn::Min(state.cellX, endX), rays.lane);
+  const Vector highX = hn::Add(hn::Max(state.cellX, endX), rays.lane);
+  const Vector z0 = hn::Sub(hn::MulAdd(state.s, rays.dz, rays.base), rays.sink);
+  const Vector z1 = hn::Sub(hn::MulAdd(ahead, rays.dz, rays.base), rays.sink);
+  const int i0 = i + static_cast<int>(Least(tag, state.active, lowX));
+  const int i1 = i + static_cast<int>(Greatest(tag, state.active, highX));
+  const int j0 = j + static_cast<int>(Least(tag, state.active, hn::Min(state.cellY, endY)));
+  const int j1 = j + static_cast<int>(Greatest(tag, state.active, hn::Max(state.cellY, endY)));
+  const int size = std::max(i1 - i0, j1 - j0);
+  const int level = std::min(size > 40 ? 3
+      : size > 20                      ? 2
+                                       : 1,
+    field.bounds->GetNumberOfLevels() - 1);
+  const MinMaxPyramid::Bounds bounds = field.bounds->Over(level, i0, i1, j0, j1);
+  const bool over = Least(tag, state.active, hn::Min(z0, z1)) > bounds.hi;
+  const bool under = Greatest(tag, state.active, hn::Add(hn::Max(z0, z1), rays.widest)) < bounds.lo;
+  if (!over && !under)
   {
-    const IntTag intTag;
-    const Ints first = hn::Sub(index, hn::Iota(intTag, 0));
-    this->Start = hn::GetLane(first);
-    this->SideBySide = this->PitchX == 1 && this->Start >= 0 &&
-      this->Start < this->Count - this->Lanes - this->PitchY &&
-      hn::AllTrue(intTag, hn::Eq(first, hn::Set(intTag, this->Start)));
-    if (!this->SideBySide)
+    state.twist = bounds.twist;
+    return false;
+  }
+  if (under)
+  {
+    const Vector part =
+      hn::Max(hn::Sub(hn::Min(ahead, rays.to), hn::Max(state.s, rays.from)), zero);
+    state.thickness = hn::Add(state.thickness, hn::IfThenElseZero(state.active, part));
+  }
+  state.s = ahead;
+  // Still a cell that was looked at, so that the surface is known where a hole begins behind
+  // it.
+  state.cellX = hn::IfThenElse(rays.alongY, state.cellX, endX);
+  state.cellY = hn::IfThenElse(rays.alongX, state.cellY, endY);
+  state.onSurface = hn::Lt(zero, zero);
+  state.allOnSurface = false;
+  state.resumed = true;
+  state.active = hn::And(state.active, hn::Lt(state.s, rays.to));
+  state.reach = std::min(2.0f * state.reach, 64.0f);
+  return true;
+}
+
+// A step where no holes are about and no ray begins or ends: two samples tell the height at the
+// exit, and if no ray is near the surface, that is all. Returns whether it is.
+HWY_INLINE bool StepQuickly(HeightLanes& reader, Ints index, const LaneRays& rays,
+  const LaneStep& step, LaneState& state, Vector& next)
+{
+  const Tag tag;
+  const Vector zero = hn::Zero(tag);
+  reader.SetCells(index);
+  Vector first;
+  Vector second;
+  if (reader.AreSideBySide() && rays.oneWay)
+  {
+    first = hn::IfThenElse(step.throughX, reader.Corner(tag, rays.eastward, 0, index, state.active),
+      reader.Corner(tag, 0, rays.northward, index, state.active));
+    second =
+      hn::IfThenElse(step.throughX, reader.Corner(tag, rays.eastward, 1, index, state.active),
+        reader.Corner(tag, 1, rays.northward, index, state.active));
+  }
+  else
+  {
+    const Ints edge =
+      hn::IfThenElse(hn::RebindMask(IntTag(), step.throughX), rays.edgeX, rays.edgeY);
+    const Ints other = hn::Add(
+      edge, hn::IfThenElse(hn::RebindMask(IntTag(), step.throughX), rays.pitchY, rays.pitchX));
+    first = reader.Gather(tag, hn::Add(index, edge), state.active);
+    second = reader.Gather(tag, hn::Add(index, other), state.active);
+  }
+  const Vector share =
+    hn::IfThenElse(step.throughX, hn::Sub(hn::MulAdd(rays.dy, step.s1, rays.y), state.cellY),
+      hn::Sub(hn::MulAdd(rays.dx, step.s1, rays.x), state.cellX));
+  next = hn::MulAdd(hn::Sub(second, first), share, hn::Sub(first, rays.base));
+  const Vector a = state.above;
+  const Vector b = hn::Sub(next, hn::Sub(hn::Mul(step.s1, rays.dz), rays.sink));
+  const Vector bow = hn::MulAdd(hn::Set(tag, 0.25f * state.twist),
+    hn::Mul(hn::Mul(rays.acrossX, step.length), hn::Mul(rays.acrossY, step.length)), rays.widest);
+  const Mask in = hn::Gt(hn::Min(a, b), bow);
+  const Mask out = hn::Lt(hn::Add(hn::Max(a, b), bow), zero);
+  if (hn::AllFalse(tag, hn::AndNot(hn::Or(in, out), state.active)))
+  {
+    state.thickness =
+      hn::Add(state.thickness, hn::IfThenElseZero(hn::And(in, state.active), step.length));
+    state.above = b;
+    return true;
+  }
+  return false;
+}
+
+// Keeps what rays have where they leave the image inside.
+HWY_INLINE void KeepWhereLeft(Mask inside, const LaneRays& rays, const LaneState& state)
+{
+  const Tag tag;
+  const IntTag intTag;
+  Packet& packet = state.packet;
+  const Mask alongX = hn::Or(hn::Lt(state.cellX, rays.firstX), hn::Gt(state.cellX, rays.lastX));
+  hn::BlendedStore(state.s, inside, tag, packet.left);
+  hn::BlendedStore(state.ground, inside, tag, packet.leftGround);
+  hn::BlendedStore(state.thickness, inside, tag, packet.kept);
+  const auto insideInts = hn::RebindMask(intTag, inside);
+  hn::BlendedStore(
+    hn::VecFromMask(intTag, hn::RebindMask(intTag, alongX)), insideInts, intTag, packet.leftAlongX);
+  hn::BlendedStore(hn::VecFromMask(intTag, insideInts), insideInts, intTag, packet.beyond);
+}
+
+// A step anywhere. Returns whether any ray goes on.
+HWY_INLINE bool StepCarefully(HeightLanes& reader, Ints index, const LaneRays& rays,
+  const LaneStep& step, LaneState& state, Vector& next)
+{
+  const Tag tag;
+  const Vector zero = hn::Zero(tag);
+  const Vector one = hn::Set(tag, 1.0f);
+
+  // Rays that have left the image end under level ground.
+  const Mask leaving = hn::AndNot(InImage(rays, state.cellX, state.cellY), state.active);
+  if (!hn::AllFalse(tag, leaving))
+  {
+    const Vector above = hn::Sub(state.ground, hn::Sub(hn::Mul(state.s, rays.dz), rays.sink));
+    KeepWhereLeft(hn::And(hn::And(leaving, state.onSurface), hn::Gt(above, zero)), rays, state);
+    const Vector level = hn::Add(state.ground, rays.sink);
+    const Mask apart = hn::Gt(hn::Abs(level), MarginAt(rays.sink, zero));
+    const Vector tail = lanes::reliefLevelLength(
+      hn::Max(state.s, rays.from), rays.to, hn::IfThenElseZero(apart, level), rays.dz);
+    state.thickness = hn::Add(state.thickness, hn::IfThenElseZero(leaving, tail));
+    state.active = hn::AndNot(leaving, state.active);
+    if (hn::AllFalse(tag, state.active))
     {
-      this->Index = hn::IfThenElseZero(hn::RebindMask(intTag, active), index);
+      return false;
     }
   }
 
-  bool AreSideBySide() const { return this->SideBySide; }
+  reader.SetCells(index);
+  const Vector h00 = hn::Sub(reader.Corner(tag, 0, 0, index, state.active), rays.base);
+  const Vector h10 = hn::Sub(reader.Corner(tag, 1, 0, index, state.active), rays.base);
+  const Vector h01 = hn::Sub(reader.Corner(tag, 0, 1, index, state.active), rays.base);
+  const Vector h11 = hn::Sub(reader.Corner(tag, 1, 1, index, state.active), rays.base);
+  const Vector ownTwist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
+  // A cell of which a ray only touches a corner does not end a hole.
+  const Mask touched = hn::AndNot(
+    state.onSurface, hn::Le(step.length, hn::Mul(step.s1, hn::Set(tag, f32::RELIEF_TOUCH))));
+  const Mask hole = state.resumed ? hn::IsNaN(ownTwist) : hn::Or(hn::IsNaN(ownTwist), touched);
+  // Along a grid line the cell on its other side may have data.
+  const Mask beside = hn::And(hn::IsNaN(ownTwist),
+    hn::Or(hn::And(rays.alongX, hn::Eq(rays.y, state.cellY)),
+      hn::And(rays.alongY, hn::Eq(rays.x, state.cellX))));
+  state.alone = hn::Or(state.alone, hn::And(beside, state.active));
+  state.active = hn::AndNot(beside, state.active);
+  const Vector first = hn::IfThenElse(
+    step.throughX, hn::IfThenElse(rays.west, h00, h10), hn::IfThenElse(rays.south, h00, h01));
+  const Vector second = hn::IfThenElse(
+    step.throughX, hn::IfThenElse(rays.west, h01, h11), hn::IfThenElse(rays.south, h10, h11));
 
-  // The corner (x, y) of the cells, 0 or 1.
-  HWY_INLINE Vector Corner(Tag tag, int x, int y) const
+  // A ray that comes out of a hole or from a skipped stretch meets the patch where it is.
+  if (!hn::AllFalse(tag, hn::AndNot(state.onSurface, state.active)))
   {
-    const std::int32_t offset = x * this->PitchX + y * this->PitchY;
-    return this->SideBySide ? hn::LoadU(tag, this->Data + this->Start + offset)
-                            : hn::GatherIndex(tag, this->Data + offset, this->Index);
+    const Vector placeX = hn::MulAdd(rays.dx, state.s, rays.x);
+    const Vector placeY = hn::MulAdd(rays.dy, state.s, rays.y);
+    const Vector here =
+      lanes::reliefBetween(placeY, state.cellY, lanes::reliefBetween(placeX, state.cellX, h00, h10),
+        lanes::reliefBetween(placeX, state.cellX, h01, h11));
+    state.ground = hn::IfThenElse(hn::Or(state.onSurface, hole), state.ground, here);
   }
+  const Vector place = hn::IfThenElse(
+    step.throughX, hn::MulAdd(rays.dy, step.s1, rays.y), hn::MulAdd(rays.dx, step.s1, rays.x));
+  const Vector line = hn::IfThenElse(step.throughX, state.cellY, state.cellX);
+  next = hn::IfThenElse(hole, state.ground, lanes::reliefBetween(place, line, first, second));
 
-  // At samples of each ray's own.
-  HWY_INLINE Vector Gather(Tag tag, Ints samples, Mask active) const
+  Vector begin = state.s;
+  Vector end = step.s1;
+  const Vector rise0 = hn::Mul(state.s, rays.dz);
+  const Vector rise1 = hn::Mul(step.s1, rays.dz);
+  Vector a = hn::Sub(state.ground, hn::Sub(rise0, rays.sink));
+  Vector b = hn::Sub(next, hn::Sub(rise1, rays.sink));
+  state.above = b;
+  // Of rays that have ended it stays known.
+  const Mask enters = hn::And(state.onSurface, hn::Gt(a, zero));
+  const Mask within = hn::And(hn::And(hole, hn::Or(state.inside, enters)), state.active);
+  state.inside = hn::Or(hn::AndNot(state.active, state.inside), within);
+  Vector c = hn::IfThenZeroElse(
+    hole, hn::Mul(ownTwist, hn::Mul(hn::Mul(rays.dx, step.length), hn::Mul(rays.dy, step.length))));
+  if (!hn::AllFalse(tag, step.clipped))
   {
-    const Ints own = hn::IfThenElseZero(hn::RebindMask(IntTag(), active), samples);
-    return hn::GatherIndex(tag, this->Data, own);
+    // reliefPatchLength(): the quadratic over the part of the cell within [from, to].
+    begin = hn::Min(hn::Max(state.s, rays.from), step.s1);
+    end = hn::Max(hn::Min(step.s1, rays.to), begin);
+    const Vector perLength =
+      hn::IfThenElseZero(hn::Gt(step.length, zero), hn::Div(one, step.length));
+    const Vector u0 = hn::Mul(hn::Sub(begin, state.s), perLength);
+    const Vector u1 = hn::Mul(hn::Sub(end, state.s), perLength);
+    const Vector rise = hn::Sub(b, a);
+    const Vector a0 = hn::Add(a, hn::Mul(u0, hn::MulAdd(c, hn::Sub(u0, one), rise)));
+    const Vector b0 = hn::Add(a, hn::Mul(u1, hn::MulAdd(c, hn::Sub(u1, one), rise)));
+    const Vector span = hn::Sub(u1, u0);
+    a = hn::IfThenElse(step.clipped, a0, a);
+    b = hn::IfThenElse(step.clipped, b0, b);
+    c = hn::IfThenElse(step.clipped, hn::Mul(c, hn::Mul(span, span)), c);
   }
+  state.onSurface = hn::Not(hole);
+  state.allOnSurface = hn::AllFalse(tag, hn::AndNot(state.onSurface, state.active));
+  state.resumed = false;
+  const Vector scale = Normalizer(tag, hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c))));
+  const Vector share = InsideShare(tag, hn::Mul(a, scale), hn::Mul(b, scale), hn::Mul(c, scale),
+    hn::Mul(MarginAt(rays.sink, hn::Mul(begin, rays.dz)), scale),
+    hn::Mul(MarginAt(rays.sink, hn::Mul(end, rays.dz)), scale));
+  const Vector part = hn::Mul(hn::Sub(end, begin), share);
+  state.thickness = hn::Add(state.thickness, hn::IfThenElseZero(state.active, part));
+  return true;
+}
 
-private:
-  const float* Data;
-  std::int32_t PitchX;
-  std::int32_t PitchY;
-  std::int32_t Count;
-  std::int32_t Lanes;
-  std::int32_t Start = 0;
-  Ints Index;
-  bool SideBySide = false;
-};
-
-// A place between two samples, counted from the nearer one, as reliefEdgeHeight() does.
-struct Between
+// What rays straight up or down have: ground that is as high everywhere, whatever is about.
+void TraceUprightLanes(Packet& packet)
 {
-  HWY_INLINE Between(Tag tag, Vector place, Vector cell)
-  {
-    const Vector before = hn::Sub(place, cell);
-    const Vector after = hn::Sub(hn::Add(cell, hn::Set(tag, 1.0f)), place);
-    this->Far = hn::Lt(after, before);
-    this->Weight = hn::Max(hn::Min(before, after), hn::Zero(tag));
-  }
-
-  HWY_INLINE Vector At(Tag, Vector first, Vector second) const
-  {
-    const Vector near = hn::IfThenElse(this->Far, second, first);
-    const Vector other = hn::IfThenElse(this->Far, first, second);
-    return hn::MulAdd(hn::Sub(other, near), this->Weight, near);
-  }
-
-  Mask Far;
-  Vector Weight;
-};
+  const Tag tag;
+  const IntTag intTag;
+  const Vector sink = hn::Load(tag, packet.sink);
+  const Vector level = hn::Add(hn::Load(tag, packet.ground), sink);
+  const Mask apart = hn::Gt(hn::Abs(level), MarginAt(sink, hn::Zero(tag)));
+  const Vector length = lanes::reliefLevelLength(hn::Load(tag, packet.from),
+    hn::Load(tag, packet.to), hn::IfThenElseZero(apart, level), hn::Load(tag, packet.dz));
+  const auto upright = hn::MaskFromVec(hn::Load(intTag, packet.upright));
+  hn::BlendedStore(length, hn::RebindMask(tag, upright), tag, packet.thickness);
+}
 
 // Traces the active rays of a packet. Its samples are (i, j), (i + 1, j), ... Rays that have come
 // to their end go on beside the others, without counting, which keeps the packet's cells side by
@@ -172,6 +362,7 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
   const Vector dz = hn::Load(tag, packet.dz);
   const Vector from = hn::Load(tag, packet.from);
   const Vector to = hn::Load(tag, packet.to);
+  const Vector rayEnd = hn::Load(tag, packet.end);
   const Mask west = hn::Lt(dx, zero);
   const Mask south = hn::Lt(dy, zero);
   const Mask alongY = hn::Eq(dx, zero);
@@ -191,7 +382,8 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
   const Vector stepY = hn::IfThenElse(south, hn::Set(tag, -1.0f), one);
 
   // Sample i + lane stands at lane, as a cell does that begins there.
-  const Vector lane = hn::ConvertTo(tag, hn::Iota(intTag, 0));
+  const Ints lanes = hn::Load(intTag, packet.lane);
+  const Vector lane = hn::ConvertTo(tag, lanes);
   const Vector lastX = hn::Sub(hn::Set(tag, static_cast<float>(heights.columns - 2 - i)), lane);
   const Vector firstX = hn::Sub(hn::Set(tag, static_cast<float>(-i)), lane);
   const Vector lastY = hn::Set(tag, static_cast<float>(heights.rows - 2 - j));
@@ -200,14 +392,13 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
   const Ints pitchY = hn::Set(intTag, static_cast<std::int32_t>(heights.stepY));
   const Ints ownIndex =
     hn::Add(hn::Set(intTag, static_cast<std::int32_t>(j * heights.stepY + i * heights.stepX)),
-      hn::Mul(hn::Iota(intTag, 0), pitchX));
-  const Mask none = hn::Lt(zero, zero);
+      hn::Mul(lanes, pitchX));
   const Ints zeroInts = hn::Zero(intTag);
   const auto westInts = hn::RebindMask(intTag, west);
   const auto southInts = hn::RebindMask(intTag, south);
   const Ints moveX = hn::IfThenElse(westInts, hn::Sub(zeroInts, pitchX), pitchX);
   const Ints moveY = hn::IfThenElse(southInts, hn::Sub(zeroInts, pitchY), pitchY);
-  const Ints edgeX = hn::IfThenZeroElse(westInts, pitchX); // from a cell to the edge ahead
+  const Ints edgeX = hn::IfThenZeroElse(westInts, pitchX);
   const Ints edgeY = hn::IfThenZeroElse(southInts, pitchY);
 
   Vector cellX = hn::Load(tag, packet.cellX);
@@ -219,47 +410,57 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
         hn::Mul(hn::ConvertTo(intTag, cellX), pitchX)));
   };
   Ints index = indexOf();
-  Vector s = zero;
+  Vector s = hn::Load(tag, packet.s);
   Vector ground = hn::Load(tag, packet.ground);
-  Vector thickness = zero;
+  Vector thickness = hn::Load(tag, packet.thickness);
   Vector rest = zero;
-  Vector above = hn::Add(ground, sink); // the ground's height above the ray
-  Mask onSurface = hn::Not(none); // whether ground is the surface's height, or one that is held
-  bool allOnSurface = true;
-  bool resumed = false; // after a skipped stretch, where the ground is not known yet
+  Vector above = hn::Sub(ground, hn::Sub(hn::Mul(s, dz), sink));
+  Mask onSurface = hn::Not(hn::MaskFromVec(hn::BitCast(tag, hn::Load(intTag, packet.resumed))));
   Mask active = hn::MaskFromVec(hn::BitCast(tag, hn::Load(intTag, packet.active)));
   active = hn::And(active, hn::Lt(s, to));
+  Mask inside = hn::Lt(zero, zero);
+  Mask alone = inside;
+  // Rays for which the ground goes on beyond the data, as reliefGoesOn() tells.
+  const Mask goesOn = medium.useFloor ? inside : hn::Gt(dz, zero);
 
   const bool anyFrom = !hn::AllFalse(tag, hn::Gt(from, zero));
-  // Whether all rays run to the same side of each axis, and to which.
   const bool oneWay = (hn::AllTrue(tag, west) || hn::AllFalse(tag, west)) &&
     (hn::AllTrue(tag, south) || hn::AllFalse(tag, south));
   const int eastward = hn::AllFalse(tag, west) ? 1 : 0;
   const int northward = hn::AllFalse(tag, south) ? 1 : 0;
 
-  // The margin of reliefAbove(), and more than it anywhere on the ray.
-  const Vector rounding = hn::Set(tag, f32::RELIEF_ROUNDING);
-  auto marginAt = [&](Vector rise) { return hn::Mul(rounding, hn::Add(hn::Abs(rise), sink)); };
-  const Vector widest = marginAt(hn::IfThenZeroElse(hn::Eq(dz, zero), hn::Mul(to, dz)));
+  const Vector widest = MarginAt(sink, hn::IfThenZeroElse(hn::Eq(dz, zero), hn::Mul(to, dz)));
+  const LaneRays rays = { x, y, base, sink, dx, dy, dz, from, to, perCell, acrossX, acrossY, lane,
+    firstX, lastX, firstY, lastY, widest, west, south, alongX, alongY, pitchX, pitchY, edgeX, edgeY,
+    oneWay, eastward, northward };
+  hn::Store(zeroInts, intTag, packet.beyond);
+  LaneState state = { packet, s, cellX, cellY, ground, above, thickness, onSurface, active, inside,
+    alone };
+  if (!hn::AllTrue(tag, onSurface))
+  {
+    state.allOnSurface = false;
+    state.resumed = true;
+  }
 
   const int stepsBetweenLooks = 6;
   // Steps to the next look for something to skip. Rays sunk along the normal may first cross a grid
   // line just beside their sample, where only the careful steps keep the sample's height apart.
   int untilLook = medium.offset == f32::RELIEF_SURFACE_NORMAL ? 2 : 0;
-  float reach = 8.0f; // how many cells to look ahead
-  float twist =
-    Infinity; // no patch in the stretch looked at is more twisted; infinite where it has holes
   while (!hn::AllFalse(tag, active))
   {
     if (untilLook == 0)
     {
       untilLook = stepsBetweenLooks;
-      twist = Infinity;
+      state.twist = Infinity;
       count.cells += 1;
       if (medium.tolerance > 0.0f)
       {
-        const Vector left = hn::Sub(to, hn::Max(s, from));
-        const Mask settled = hn::AndNot(settler.Open(tag, thickness, left), active);
+        // As reliefRest(). What lies beyond data that were left inside is not known.
+        const Vector once = hn::Sub(to, hn::Max(s, from));
+        const Vector left =
+          hn::IfThenElse(goesOn, hn::Min(hn::Add(once, once), hn::Sub(rayEnd, s)), once);
+        const Mask open = hn::Or(settler.Open(tag, thickness, left), hn::And(goesOn, inside));
+        const Mask settled = hn::AndNot(open, active);
         rest = hn::IfThenElse(settled, left, rest);
         active = hn::AndNot(settled, active);
         if (hn::AllFalse(tag, active))
@@ -268,62 +469,16 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
         }
       }
 
-      // As far as all rays get in `reach` cells. Where rays would leave the image they keep to
-      // their steps.
-      const Vector ahead = hn::MulAdd(hn::Set(tag, reach - 0.5f), perCell, s);
-      const Vector x1 = hn::MulAdd(dx, ahead, x);
-      const Vector y1 = hn::MulAdd(dy, ahead, y);
-      const Vector endX = hn::Floor(x1);
-      const Vector endY = hn::Floor(y1);
-      const Mask inside = hn::And(hn::And(hn::Ge(endX, firstX), hn::Le(endX, lastX)),
-        hn::And(hn::Ge(endY, firstY), hn::Le(endY, lastY)));
-      const Mask within = hn::And(hn::And(hn::Ge(cellX, firstX), hn::Le(cellX, lastX)),
-        hn::And(hn::Ge(cellY, firstY), hn::Le(cellY, lastY)));
-      if (hn::AllFalse(tag, hn::AndNot(hn::And(inside, within), active)))
+      if (LookAhead(field, i, j, rays, state))
       {
-        const Vector lowX = hn::Add(hn::Min(cellX, endX), lane);
-        const Vector highX = hn::Add(hn::Max(cellX, endX), lane);
-        const Vector z0 = hn::Sub(hn::MulAdd(s, dz, base), sink);
-        const Vector z1 = hn::Sub(hn::MulAdd(ahead, dz, base), sink);
-        const int i0 = i + static_cast<int>(Least(tag, active, lowX));
-        const int i1 = i + static_cast<int>(Greatest(tag, active, highX));
-        const int j0 = j + static_cast<int>(Least(tag, active, hn::Min(cellY, endY)));
-        const int j1 = j + static_cast<int>(Greatest(tag, active, hn::Max(cellY, endY)));
-        const int size = std::max(i1 - i0, j1 - j0);
-        const int level = std::min(size > 40 ? 3
-            : size > 20                      ? 2
-                                             : 1,
-          field.bounds->GetNumberOfLevels() - 1);
-        const MinMaxPyramid::Bounds bounds = field.bounds->Over(level, i0, i1, j0, j1);
-        const bool over = Least(tag, active, hn::Min(z0, z1)) > bounds.hi;
-        const bool under = Greatest(tag, active, hn::Add(hn::Max(z0, z1), widest)) < bounds.lo;
-        if (over || under)
-        {
-          if (under)
-          {
-            const Vector length = hn::Max(hn::Sub(hn::Min(ahead, to), hn::Max(s, from)), zero);
-            thickness = hn::Add(thickness, hn::IfThenElseZero(active, length));
-          }
-          s = ahead;
-          // Still a cell that was looked at, so that the surface is known where a hole begins
-          // behind it.
-          cellX = hn::IfThenElse(alongY, cellX, endX);
-          cellY = hn::IfThenElse(alongX, cellY, endY);
-          index = indexOf();
-          onSurface = none;
-          allOnSurface = false;
-          resumed = true;
-          active = hn::And(active, hn::Lt(s, to));
-          reach = std::min(2.0f * reach, 64.0f);
-          untilLook = 0;
-          continue;
-        }
-        twist = bounds.twist;
+        index = indexOf();
+        untilLook = 0;
+        continue;
       }
-      if (reach > 8.0f)
+      if (state.reach > 8.0f)
       {
-        reach *= 0.5f;
-        if (reach > 16.0f)
+        state.reach *= 0.5f;
+        if (state.reach > 16.0f)
         {
           untilLook = 0;
           continue;
@@ -343,130 +498,14 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
     // Rays whose stretch begins or ends in this cell.
     const Mask ending = hn::AndNot(hn::Lt(s1, to), active);
     const Mask clipped = anyFrom ? hn::Or(ending, hn::And(active, hn::Gt(from, s))) : ending;
-    const bool whole = twist < Infinity && hn::AllFalse(tag, clipped) && allOnSurface;
-    bool done = false;
+    const LaneStep step = { throughX, s1, length, clipped };
+    const bool whole = state.twist < Infinity && hn::AllFalse(tag, clipped) && state.allOnSurface;
     Vector next = ground;
-    if (whole)
+    if (!(whole && StepQuickly(reader, index, rays, step, state, next)) &&
+      !StepCarefully(reader, index, rays, step, state, next))
     {
-      // No holes about: two samples tell the height at the exit, and if no ray is near the surface,
-      // that is all.
-      reader.SetCells(index, active);
-      Vector first;
-      Vector second;
-      if (reader.AreSideBySide() && oneWay)
-      {
-        first = hn::IfThenElse(
-          throughX, reader.Corner(tag, eastward, 0), reader.Corner(tag, 0, northward));
-        second = hn::IfThenElse(
-          throughX, reader.Corner(tag, eastward, 1), reader.Corner(tag, 1, northward));
-      }
-      else
-      {
-        const Ints edge = hn::IfThenElse(throughXInts, edgeX, edgeY);
-        const Ints other = hn::Add(edge, hn::IfThenElse(throughXInts, pitchY, pitchX));
-        first = reader.Gather(tag, hn::Add(index, edge), active);
-        second = reader.Gather(tag, hn::Add(index, other), active);
-      }
-      const Vector share = hn::IfThenElse(
-        throughX, hn::Sub(hn::MulAdd(dy, s1, y), cellY), hn::Sub(hn::MulAdd(dx, s1, x), cellX));
-      next = hn::MulAdd(hn::Sub(second, first), share, hn::Sub(first, base));
-      const Vector a = above;
-      const Vector b = hn::Sub(next, hn::Sub(hn::Mul(s1, dz), sink));
-      const Vector bow = hn::MulAdd(hn::Set(tag, 0.25f * twist),
-        hn::Mul(hn::Mul(acrossX, length), hn::Mul(acrossY, length)), widest);
-      const Mask in = hn::Gt(hn::Min(a, b), bow);
-      const Mask out = hn::Lt(hn::Add(hn::Max(a, b), bow), zero);
-      if (hn::AllFalse(tag, hn::AndNot(hn::Or(in, out), active)))
-      {
-        thickness = hn::Add(thickness, hn::IfThenElseZero(hn::And(in, active), length));
-        above = b;
-        done = true;
-      }
+      break;
     }
-    if (!done)
-    {
-      // Rays that have left the image end under level ground.
-      const Mask inImage = hn::And(hn::And(hn::Ge(cellX, firstX), hn::Le(cellX, lastX)),
-        hn::And(hn::Ge(cellY, firstY), hn::Le(cellY, lastY)));
-      const Mask leaving = hn::AndNot(inImage, active);
-      if (!hn::AllFalse(tag, leaving))
-      {
-        const Vector level = hn::Add(ground, sink);
-        const Mask apart = hn::Gt(hn::Abs(level), marginAt(zero));
-        const Vector tail =
-          LevelLength(tag, hn::Max(s, from), to, hn::IfThenElseZero(apart, level), dz);
-        thickness = hn::Add(thickness, hn::IfThenElseZero(leaving, tail));
-        active = hn::AndNot(leaving, active);
-        if (hn::AllFalse(tag, active))
-        {
-          break;
-        }
-      }
-
-      reader.SetCells(index, active);
-      const Vector h00 = hn::Sub(reader.Corner(tag, 0, 0), base);
-      const Vector h10 = hn::Sub(reader.Corner(tag, 1, 0), base);
-      const Vector h01 = hn::Sub(reader.Corner(tag, 0, 1), base);
-      const Vector h11 = hn::Sub(reader.Corner(tag, 1, 1), base);
-      const Vector ownTwist = hn::Sub(hn::Sub(h11, h10), hn::Sub(h01, h00));
-      // A cell of which a ray only touches a corner does not end a hole.
-      const Mask touched =
-        hn::AndNot(onSurface, hn::Le(length, hn::Mul(s1, hn::Set(tag, f32::RELIEF_TOUCH))));
-      const Mask hole = resumed ? hn::IsNaN(ownTwist) : hn::Or(hn::IsNaN(ownTwist), touched);
-      const Vector first =
-        hn::IfThenElse(throughX, hn::IfThenElse(west, h00, h10), hn::IfThenElse(south, h00, h01));
-      const Vector second =
-        hn::IfThenElse(throughX, hn::IfThenElse(west, h01, h11), hn::IfThenElse(south, h10, h11));
-
-      // A ray that comes out of a hole or from a skipped stretch meets the patch where it is.
-      if (!hn::AllFalse(tag, hn::AndNot(onSurface, active)))
-      {
-        const Between alongRow(tag, hn::MulAdd(dx, s, x), cellX);
-        const Between alongColumn(tag, hn::MulAdd(dy, s, y), cellY);
-        const Vector here =
-          alongColumn.At(tag, alongRow.At(tag, h00, h10), alongRow.At(tag, h01, h11));
-        ground = hn::IfThenElse(hn::Or(onSurface, hole), ground, here);
-      }
-      const Between alongEdge(tag,
-        hn::IfThenElse(throughX, hn::MulAdd(dy, s1, y), hn::MulAdd(dx, s1, x)),
-        hn::IfThenElse(throughX, cellY, cellX));
-      next = hn::IfThenElse(hole, ground, alongEdge.At(tag, first, second));
-
-      Vector begin = s;
-      Vector end = s1;
-      const Vector rise0 = hn::Mul(s, dz);
-      const Vector rise1 = hn::Mul(s1, dz);
-      Vector a = hn::Sub(ground, hn::Sub(rise0, sink));
-      Vector b = hn::Sub(next, hn::Sub(rise1, sink));
-      above = b;
-      Vector c = hn::IfThenZeroElse(
-        hole, hn::Mul(ownTwist, hn::Mul(hn::Mul(dx, length), hn::Mul(dy, length))));
-      if (!hn::AllFalse(tag, clipped))
-      {
-        // reliefPatchLength(): the quadratic over the part of the cell within [from, to].
-        begin = hn::Min(hn::Max(s, from), s1);
-        end = hn::Max(hn::Min(s1, to), begin);
-        const Vector perLength = hn::IfThenElseZero(hn::Gt(length, zero), hn::Div(one, length));
-        const Vector u0 = hn::Mul(hn::Sub(begin, s), perLength);
-        const Vector u1 = hn::Mul(hn::Sub(end, s), perLength);
-        const Vector rise = hn::Sub(b, a);
-        const Vector a0 = hn::Add(a, hn::Mul(u0, hn::MulAdd(c, hn::Sub(u0, one), rise)));
-        const Vector b0 = hn::Add(a, hn::Mul(u1, hn::MulAdd(c, hn::Sub(u1, one), rise)));
-        const Vector span = hn::Sub(u1, u0);
-        a = hn::IfThenElse(clipped, a0, a);
-        b = hn::IfThenElse(clipped, b0, b);
-        c = hn::IfThenElse(clipped, hn::Mul(c, hn::Mul(span, span)), c);
-      }
-      onSurface = hn::Not(hole);
-      allOnSurface = hn::AllFalse(tag, hn::AndNot(onSurface, active));
-      resumed = false;
-      const Vector scale = Normalizer(tag, hn::Max(hn::Abs(a), hn::Max(hn::Abs(b), hn::Abs(c))));
-      const Vector share = InsideShare(tag, hn::Mul(a, scale), hn::Mul(b, scale), hn::Mul(c, scale),
-        hn::Mul(marginAt(hn::Mul(begin, dz)), scale), hn::Mul(marginAt(hn::Mul(end, dz)), scale));
-      const Vector part = hn::Mul(hn::Sub(end, begin), share);
-      thickness = hn::Add(thickness, hn::IfThenElseZero(active, part));
-    }
-
     active = hn::AndNot(ending, active);
     ground = next;
     cellX = hn::IfThenElse(throughX, hn::Add(cellX, stepX), cellX);
@@ -474,8 +513,11 @@ void TraceLanes(const Field<float>& field, const f32::ReliefMedium& medium, int 
     index = hn::Add(index, hn::IfThenElse(throughXInts, moveX, moveY));
     s = s1;
   }
+  // Ground beyond a hole that a ray has not left is for the text, which single rays follow.
+  alone = hn::Or(alone, hn::And(goesOn, inside));
   hn::Store(thickness, tag, packet.thickness);
   hn::Store(rest, tag, packet.rest);
+  hn::Store(hn::VecFromMask(intTag, hn::RebindMask(intTag, alone)), intTag, packet.alone);
 }
 
 }

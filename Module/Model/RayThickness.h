@@ -20,6 +20,7 @@ struct Light
   glm::dvec3 color = glm::dvec3(1.0);
   double intensity = 1.0;
   double weight = 1.0;
+  double open = 1.0;           ///< its illumination that counts as 1 in the mean over the lights
   double toleranceScale = 1.0; ///< what the medium's tolerance is multiplied by for this light
 };
 
@@ -57,11 +58,16 @@ struct RowRequest
   int j = 0;
   int begin = 0; ///< first sample
   int end = 0;   ///< one past the last
+  /// The columns of end - begin samples, in rising order, where they are not side by side.
+  const int* columns = nullptr;
   const typename Precision<Real>::Vec3* normals =
     nullptr;                             ///< unit normals, unless all offsets are vertical
   const unsigned char* wanted = nullptr; ///< samples to trace, null for all with data
   Real* illumination = nullptr;          ///< d; samples that are not traced are left alone
   Real* thickness = nullptr;             ///< r, or null
+
+  /// The column of a sample, whose place in the arrays is k.
+  int ColumnOf(int k) const { return this->columns ? this->columns[k] : this->begin + k; }
 };
 
 /// Illuminates samples ray by ray in closed form, in float or double, with the field's bounds or
@@ -90,9 +96,9 @@ void ForEachRay(const Field<T>& field, const typename Precision<Real>::Medium& m
   const Light& light, const RowRequest<Real>& request, RayCount& count, Body&& body)
 {
   using Vec3 = typename Precision<Real>::Vec3;
-  for (int i = request.begin; i < request.end; ++i)
+  for (int k = 0; k < request.end - request.begin; ++k)
   {
-    int k = i - request.begin;
+    const int i = request.ColumnOf(k);
     if (std::isnan(field.heights.At(i, request.j)) || (request.wanted && !request.wanted[k]))
     {
       continue;

@@ -7,14 +7,15 @@
 //
 // This text is compiled as it stands as C++17 (ReliefModel.h, in float and in double) and as
 // GLSL 1.50 (ReliefPreludeGLSL.glsl). Dialect: literals end in f; no swizzles; structs have neither
-// initialisers nor methods; outputs are RELIEF_OUT(type).
-// ReliefSurface.glsl and ReliefThickness.glsl, which follow this text, measure the thickness that it needs.
+// initialisers nor methods; outputs are RELIEF_OUT(type), or RELIEF_INOUT(type) where they are read too.
+// It follows ReliefLeaves.glsl. ReliefSurface.glsl, ReliefSurroundings.glsl and ReliefThickness.glsl, which
+// follow this text, measure the thickness that it needs.
 
 // How light travels inside the material. Lengths are in the field's unit.
 struct ReliefMedium
 {
   real depth;       // t, how far the shading point is sunk below the surface
-  int offset;       // RELIEF_VERTICAL or RELIEF_SURFACE_NORMAL
+  int offset;       // RELIEF_VERTICAL, RELIEF_SURFACE_NORMAL or RELIEF_TANGENT_PLANE
   int attenuation;  // RELIEF_RECIPROCAL or RELIEF_EXPONENTIAL
   real density;     // a of the exponential attenuation, per unit of length
   bool useFloor;    // whether material ends below
@@ -24,6 +25,7 @@ struct ReliefMedium
 
 const int RELIEF_VERTICAL = 0;
 const int RELIEF_SURFACE_NORMAL = 1;
+const int RELIEF_TANGENT_PLANE = 2;
 const int RELIEF_RECIPROCAL = 0;
 const int RELIEF_EXPONENTIAL = 1;
 
@@ -56,29 +58,16 @@ RELIEF_FN real reliefIllumination(ReliefMedium medium, real r)
   return medium.depth / r;
 }
 
-// F of section 4.3.6: 0 at lo, 1 at hi; a step at hi where the two are equal.
+// F of section 4.3.6, which reliefFalloffOf() says.
 RELIEF_FN real reliefFalloff(ReliefFalloff falloff, real x)
 {
-  if (!(falloff.hi > falloff.lo))
-  {
-    return x >= falloff.hi ? real(1.0f) : real(0.0f);
-  }
-  real share = clamp((x - falloff.lo) / (falloff.hi - falloff.lo), real(0.0f), real(1.0f));
-  // pow(0, 0) is undefined in GLSL; a power of 0 means no falloff at all. Most powers are 1.
-  return falloff.power == 0.0f ? real(1.0f) : falloff.power == 1.0f ? share : pow(share, falloff.power);
+  return reliefFalloffOf(falloff.lo, falloff.hi, falloff.power, x);
 }
 
-// Where reliefFalloff() is 0 for certain.
-RELIEF_FN bool reliefFalloffIsZero(ReliefFalloff falloff, real x)
-{
-  return falloff.hi > falloff.lo && falloff.power > 0.0f ? x <= falloff.lo : x < falloff.hi;
-}
-
-// R * l of section 3.4: the view's mirror image R in the surface, compared with the light direction l.
+// R * l of section 3.4.
 RELIEF_FN real reliefMirror(real3 n, real3 l)
 {
-  real twice = 2.0f * n.z;
-  return twice * n.x * l.x + twice * n.y * l.y + (twice * n.z - 1.0f) * l.z;
+  return reliefMirrorOf(n.x, n.y, n.z, l.x, l.y, l.z);
 }
 
 RELIEF_FN real reliefSpecularity(ReliefFalloff falloff, real3 n, real3 l)
@@ -102,17 +91,17 @@ RELIEF_FN real3 reliefBaseTerm(real ks, real3 base)
 
 RELIEF_FN real3 reliefDiffuseTerm(real ks, real kf, real d, real3 light, real3 diffuse)
 {
-  return ((1.0f - ks) * (1.0f - kf) * d) * light * diffuse;
+  return reliefDiffuseShare(ks, kf, d) * light * diffuse;
 }
 
 RELIEF_FN real3 reliefScatterTerm(real ks, real kf, real f, real d, real3 light, real3 diffuse)
 {
-  return ((1.0f - ks) * kf * f * d) * light * diffuse;
+  return reliefScatterShare(ks, kf, f, d) * light * diffuse;
 }
 
 RELIEF_FN real3 reliefSpecularTerm(real ks, real s, real3 light, real3 specular)
 {
-  return (ks * s) * light * specular;
+  return reliefSpecularShare(ks, s) * light * specular;
 }
 
 // A texture's colour, multiplied by its alpha, over what lies below it (T. Porter, T. Duff,
@@ -120,6 +109,12 @@ RELIEF_FN real3 reliefSpecularTerm(real ks, real s, real3 light, real3 specular)
 RELIEF_FN real3 reliefOver(real3 texel, real alpha, real3 below)
 {
   return texel + (1.0f - alpha) * below;
+}
+
+// What colours are multiplied by where they are shown, at an exposure in stops.
+RELIEF_FN real reliefExposureFactor(real stops)
+{
+  return pow(real(2.0f), stops);
 }
 
 // Linear to sRGB, IEC 61966-2-1, clamped to [0, 1].

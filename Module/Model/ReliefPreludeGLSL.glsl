@@ -8,6 +8,7 @@
 #define RELIEF_FIELD_FN
 #define RELIEF_FIELD int
 #define RELIEF_OUT(type) out type
+#define RELIEF_INOUT(type) inout type
 #define RELIEF_INFINITY reliefInfinity
 #define RELIEF_NAN reliefNaN
 

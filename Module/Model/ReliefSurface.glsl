@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The height field's surface and what a straight line has of it: the second of the model's three texts,
-// in the dialect of ReliefModel.glsl, which it follows. Each host supplies the height field through
+// The height field's surface and what a straight line has of it: the third of the model's five texts,
+// in the dialect of ReliefModel.glsl. It follows ReliefLeaves.glsl. Each host supplies the height field through
 //   int reliefColumns(field), reliefRows(field)    size in samples
 //   real reliefSpacingX(field), reliefSpacingY(field)
 //   real reliefHeight(field, i, j)                 height of a sample, NaN where there is no data
 
-// Slope along one axis from a sample's height and its two neighbours': central, one-sided where one
-// neighbour has no data, level where neither has.
-RELIEF_FN real reliefSlope(real before, real here, real after, real spacing)
-{
-  if (isnan(before))
-  {
-    return isnan(after) ? real(0.0f) : (after - here) / spacing;
-  }
-  return isnan(after) ? (here - before) / spacing : (after - before) / (2.0f * spacing);
-}
-
-// The unit normal at a sample (section 4.3.5.1, with the division by the spacing).
-RELIEF_FIELD_FN real3 reliefNormal(RELIEF_FIELD field, int i, int j)
+// The slopes of the tangent plane at a sample, by central differences.
+RELIEF_FIELD_FN void reliefSlopes(RELIEF_FIELD field, int i, int j, RELIEF_OUT(real) gx, RELIEF_OUT(real) gy)
 {
   real none = RELIEF_NAN;
   real here = reliefHeight(field, i, j);
@@ -26,14 +15,33 @@ RELIEF_FIELD_FN real3 reliefNormal(RELIEF_FIELD field, int i, int j)
   real east = i + 1 < reliefColumns(field) ? reliefHeight(field, i + 1, j) : none;
   real south = j > 0 ? reliefHeight(field, i, j - 1) : none;
   real north = j + 1 < reliefRows(field) ? reliefHeight(field, i, j + 1) : none;
-  // Within numbers: differences of huge heights overflow.
-  real most = 1.0e30f;
-  real gx = clamp(reliefSlope(west, here, east, reliefSpacingX(field)), -most, most);
-  real gy = clamp(reliefSlope(south, here, north, reliefSpacingY(field)), -most, most);
-  // Scaled by the larger slope first: the squares of a cliff's slopes would overflow.
-  real scale = max(real(1.0f), max(abs(gx), abs(gy)));
-  real3 n = real3(-gx / scale, -gy / scale, 1.0f / scale);
-  return n / sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  gx = reliefSlope(west, here, east, reliefSpacingX(field));
+  gy = reliefSlope(south, here, north, reliefSpacingY(field));
+}
+
+// The unit normal at a sample.
+RELIEF_FIELD_FN real3 reliefNormal(RELIEF_FIELD field, int i, int j)
+{
+  real gx;
+  real gy;
+  reliefSlopes(field, i, j, gx, gy);
+  real3 n;
+  reliefUnitNormal(gx, gy, n.x, n.y, n.z);
+  return n;
+}
+
+// How far below a sample the point lies that is sunk straight down from it.
+RELIEF_FIELD_FN real reliefSink(RELIEF_FIELD field, ReliefMedium medium, int i, int j)
+{
+  // An image of one row or column has no surface, and is shaded as level ground.
+  if (medium.offset != RELIEF_TANGENT_PLANE || reliefColumns(field) < 2 || reliefRows(field) < 2)
+  {
+    return medium.depth;
+  }
+  real gx;
+  real gy;
+  reliefSlopes(field, i, j, gx, gy);
+  return reliefTangentSink(medium.depth, gx, gy);
 }
 
 //-------------------------------------------------------------------------------------------------
@@ -58,28 +66,22 @@ RELIEF_FN real reliefInsideShare(real a, real b, real c)
   real high = max(a, b) / scale;
   real low = min(a, b) / scale;
   c /= scale;
-  real slope = low - high - c; // away from the higher end
-  real rise = high - low - c;  // away from the lower one
-  // From the end nearer to zero: where two crossings meet there, nothing cancels.
-  real discriminant =
-    abs(low) < abs(high) ? rise * rise - 4.0f * low * c : slope * slope - 4.0f * high * c;
+  real discriminant = reliefDiscriminant(high, low, c);
   real root = sqrt(max(discriminant, real(0.0f)));
   real share;
-  if (aInside != bInside)
+  if (aInside && bInside)
   {
-    // Of the two ways to write that root, the one in which nothing cancels.
-    share = slope < 0.0f ? 2.0f * high / (root - slope) : -(slope + root) / (2.0f * c);
-  }
-  else if (discriminant <= 0.0f)
-  {
-    return all;
+    // What two crossings leave, each found from its own end.
+    share = 2.0f * high / (root - (low - high - c)) + 2.0f * low / (root - (high - low - c));
   }
   else
   {
-    share = aInside ? 2.0f * high / (root - slope) + 2.0f * low / (root - rise)
-                    : root / abs(c);
+    real numerator;
+    real denominator;
+    reliefCrossings(aInside != bInside, root, high, low, c, root, numerator, denominator);
+    share = numerator / denominator;
   }
-  return clamp(share, real(0.0f), real(1.0f));
+  return aInside == bInside && discriminant <= 0.0f ? all : clamp(share, real(0.0f), real(1.0f));
 }
 
 // The inside length between s0 and s1, restricted to [from, to], of such a quadratic.
@@ -104,22 +106,4 @@ RELIEF_FN real reliefPatchLength(real s0, real s1, real a, real b, real c, real 
   real a0 = a + (b - a) * u0 + c * u0 * (u0 - 1.0f);
   real b0 = a + (b - a) * u1 + c * u1 * (u1 - 1.0f);
   return (min(to, s1) - max(from, s0)) * reliefInsideShare(a0, b0, c * span * span);
-}
-
-// The inside length between s0 and s1 under level ground that lies `ground` above the start of a ray
-// which rises by dz per unit of length; s1 may be infinite.
-RELIEF_FN real reliefLevelLength(real s0, real s1, real ground, real dz)
-{
-  if (!(s1 > s0))
-  {
-    return 0.0f;
-  }
-  if (dz == 0.0f)
-  {
-    return ground > 0.0f ? s1 - s0 : real(0.0f);
-  }
-  real crossing = ground / dz;
-  real begin = dz > 0.0f ? s0 : max(s0, crossing);
-  real end = dz > 0.0f ? min(s1, crossing) : s1;
-  return end > begin ? end - begin : real(0.0f); // both may be infinite
 }

@@ -1,40 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much of a ray runs inside the height field: the last of the model's three texts, in the dialect of
-// ReliefModel.glsl. It follows ReliefSurface.glsl, and asks each host for more of the height field:
+// How much of a ray runs inside the height field: the last of the model's five texts, in the dialect of
+// ReliefModel.glsl. It follows ReliefSurroundings.glsl, and asks each host for one thing more:
 //   real reliefTop(field)                          no height lies above it
-//   int reliefLevels(field)                        levels of bounds, 0 for none
-//   void reliefBounds(field, level, i, j, lo, hi)  bounds of a block of RELIEF_BLOCK << level cells:
-//                                                  lo > hi where every cell is a hole, and
-//                                                  (-infinity, infinity) where some are
-
-// Cells along a side of the smallest block that has bounds, as a power of two.
-const int RELIEF_BLOCK_SHIFT = 2;
-
-// Of its length from the start, what a ray must run in a cell for more than touching it.
-const real RELIEF_TOUCH = 1.0e-6f;
 
 // What rounding makes of the height of a ray above its start, relative to it: a ray that is no further
 // from the surface runs along it. That is not inside, or a few units in the last place would decide anew
 // at every sample. By twice as much of its length a ray ends before its light, so that one on the surface
 // lights.
 const real RELIEF_ROUNDING = 4.0f * RELIEF_EPSILON;
-
-// A ray from the sunken point p' to a light. It starts (x, y) samples away from sample (i, j), sink
-// below the height base of that sample, and runs for end units of length.
-struct ReliefRay
-{
-  int i;
-  int j;
-  real x;
-  real y;
-  real base;
-  real sink;
-  real dx; // samples along x per unit of length
-  real dy;
-  real dz; // rise per unit of length
-  real end;
-};
 
 // What a trace found: at least `thickness` of the ray runs inside the material, and at most `rest`
 // more (0 unless the tolerance ended the trace early).
@@ -47,16 +21,6 @@ struct ReliefTrace
 
 //-------------------------------------------------------------------------------------------------
 // Thickness: the length of a ray inside the material (section 3.2.1)
-
-// The cell along one axis that a ray at x enters: it lies ahead; beside a ray along a grid line it is
-// the one after the line, and before the last line the last.
-RELIEF_FN int reliefCellAhead(real x, real dx, int index, int cells)
-{
-  // A point sunk far outside the image may lie further away than an int counts.
-  real line = clamp(dx < 0.0f ? ceil(x) - 1.0f : floor(x), real(-1.0e9f), real(1.0e9f));
-  int cell = index + int(line);
-  return dx == 0.0f && cell == cells && x == floor(x) ? cell - 1 : cell;
-}
 
 // Height above base at a ray's start: bilinear at the position clamped to the image, over the corners
 // that have data; the start sample's own where none has.
@@ -97,14 +61,11 @@ RELIEF_FIELD_FN real reliefStartHeight(RELIEF_FIELD field, ReliefRay ray)
 
 // Height at length s of a ray that crosses there a grid line between two samples: for axis 0 a line of
 // constant x between the rows j and j + 1, for axis 1 one of constant y between the columns i and i + 1.
-// From the nearer of the two: beside the start's own sample rounding counts as little as the other weighs.
 RELIEF_FN real reliefEdgeHeight(ReliefRay ray, int axis, int i, int j, real s, real first, real second)
 {
   real place = axis == 0 ? ray.y + ray.dy * s : ray.x + ray.dx * s;
   int line = axis == 0 ? j - ray.j : i - ray.i;
-  real before = max(place - real(line), real(0.0f));
-  real after = max(real(line + 1) - place, real(0.0f));
-  return before <= after ? first + (second - first) * before : second + (first - second) * after;
+  return reliefBetween(place, real(line), first, second);
 }
 
 // What rounding makes of a ray's height at length s.
@@ -133,37 +94,44 @@ RELIEF_FN bool reliefEndless(ReliefMedium medium, ReliefRay ray)
   return ray.dz < 0.0f && !medium.useFloor && ray.end >= RELIEF_INFINITY;
 }
 
-// The stretch of a ray that can be inside: above the floor, not above everything and this side of the
-// light. Nothing where it ends before it begins.
-RELIEF_FIELD_FN void reliefStretch(
-  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, RELIEF_OUT(real) from, RELIEF_OUT(real) to)
+// Height above base at which a ray leaves cell (ci, cj) through the line at lineX or lineY.
+RELIEF_FIELD_FN real reliefHeightAtExit(RELIEF_FIELD field, ReliefRay ray, bool throughX, int lineX,
+  int lineY, int ci, int cj, real s)
 {
-  from = 0.0f;
-  to = ray.end;
-  if (medium.useFloor)
-  {
-    real above = medium.floorHeight - ray.base + ray.sink;
-    if (ray.dz > 0.0f)
-    {
-      from = max(above / ray.dz, real(0.0f));
-    }
-    else if (ray.dz < 0.0f)
-    {
-      to = min(to, above / ray.dz);
-    }
-    else if (above >= 0.0f)
-    {
-      to = 0.0f;
-    }
-  }
-  if (ray.dz > 0.0f)
-  {
-    to = min(to, (reliefTop(field) - ray.base + ray.sink) / ray.dz);
-  }
+  int i = throughX ? lineX : ci;
+  int j = throughX ? cj : lineY;
+  real first = reliefHeight(field, i, j) - ray.base;
+  real second = reliefHeight(field, throughX ? i : i + 1, throughX ? j + 1 : j) - ray.base;
+  return reliefEdgeHeight(ray, throughX ? 0 : 1, i, j, s, first, second);
+}
+
+// The inside length of a ray between s0 and s1, as far as it is in [from, to], under one patch, whose
+// corners' heights above base are given. The ray is at height `ground` at s0, and then at s1.
+RELIEF_FN real reliefCellLength(ReliefRay ray, int ci, int cj, bool throughX, real s0, real s1, real h00,
+  real h10, real h01, real h11, real from, real to, RELIEF_INOUT(real) ground)
+{
+  bool near = throughX ? ray.dx < 0.0f : ray.dy < 0.0f;
+  real next = throughX ? reliefEdgeHeight(ray, 0, ci, cj, s1, near ? h00 : h10, near ? h01 : h11)
+                       : reliefEdgeHeight(ray, 1, ci, cj, s1, near ? h00 : h01, near ? h10 : h11);
+  real twist = (h11 - h10) - (h01 - h00);
+  real bend = twist * (ray.dx * (s1 - s0)) * (ray.dy * (s1 - s0));
+  // A bow no deeper than rounding, a quarter of it, is none.
+  bend = abs(bend) <= 4.0f * reliefMargin(ray, s1) ? real(0.0f) : bend;
+  real above = reliefAbove(ray, ground, s0);
+  ground = next;
+  return reliefPatchLength(s0, s1, above, reliefAbove(ray, next, s1), bend, from, to);
+}
+
+// How much of a ray at length s can still be inside. The ground beyond the data may make twice of what
+// the surface makes.
+RELIEF_FN real reliefRest(ReliefMedium medium, ReliefRay ray, real s, real from, real to)
+{
+  real rest = to - max(s, from);
+  return reliefGoesOn(medium, ray) ? min(2.0f * rest, ray.end - s) : rest;
 }
 
 // Sums the closed-form inside length cell by cell, blocks that lie wholly above or below the ray at
-// once. Across holes and outside the image the surface is held level.
+// once. Across holes the surface is held level.
 RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray)
 {
   ReliefTrace result;
@@ -179,14 +147,13 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
   }
   real from;
   real to;
-  reliefStretch(field, medium, ray, from, to);
+  reliefStretch(medium.useFloor, medium.floorHeight, reliefTop(field), ray.base, ray.sink, ray.dz,
+    ray.end, from, to);
 
   int columns = reliefColumns(field) - 1; // cells along x
   int rows = reliefRows(field) - 1;
   int ci = reliefCellAhead(ray.x, ray.dx, ray.i, columns);
   int cj = reliefCellAhead(ray.y, ray.dy, ray.j, rows);
-  int stepX = ray.dx < 0.0f ? -1 : 1;
-  int stepY = ray.dy < 0.0f ? -1 : 1;
   real inverseX = ray.dx == 0.0f ? real(0.0f) : real(1.0f) / ray.dx;
   real inverseY = ray.dy == 0.0f ? real(0.0f) : real(1.0f) / ray.dy;
 
@@ -194,36 +161,17 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
   real ground = reliefStartHeight(field, ray); // height above base at s: the surface's or the held one
   bool onSurface = true;                       // which of the two
   int axis = 0;                                // the axis whose grid line was crossed last
+  real left = 0.0f; // while it is held: where the data ended, through which axis, and the length till then
+  int leftAxis = 0;
+  real kept = 0.0f;
 
   // A ray from outside runs under the held level until it meets the image, if it does.
   bool outside = ci < 0 || ci >= columns || cj < 0 || cj >= rows;
   if (outside && columns > 0 && rows > 0)
   {
-    real entryX = ci < 0 && ray.dx > 0.0f ? (-real(ray.i) - ray.x) * inverseX
-      : ci >= columns && ray.dx < 0.0f    ? (real(columns - ray.i) - ray.x) * inverseX
-                                          : real(0.0f);
-    real entryY = cj < 0 && ray.dy > 0.0f ? (-real(ray.j) - ray.y) * inverseY
-      : cj >= rows && ray.dy < 0.0f       ? (real(rows - ray.j) - ray.y) * inverseY
-                                          : real(0.0f);
-    real entry = max(entryX, entryY);
-    // Where it enters, it has crossed the other border it came from before: at a corner of the image
-    // rounding must not tell otherwise.
-    int ei = ci;
-    int ej = cj;
-    if (entryX >= entryY && entryX > 0.0f)
-    {
-      axis = 0;
-      ei = ci < 0 ? 0 : columns - 1;
-      ej = reliefCellAhead(ray.y + ray.dy * entry, ray.dy, ray.j, rows);
-      ej = entryY > 0.0f ? clamp(ej, 0, rows - 1) : ej;
-    }
-    else if (entryY > 0.0f)
-    {
-      axis = 1;
-      ej = cj < 0 ? 0 : rows - 1;
-      ei = reliefCellAhead(ray.x + ray.dx * entry, ray.dx, ray.i, columns);
-      ei = entryX > 0.0f ? clamp(ei, 0, columns - 1) : ei;
-    }
+    int ei;
+    int ej;
+    real entry = reliefEntry(ray, columns, rows, ci, cj, ei, ej, axis);
     if (entry > 0.0f && ei >= 0 && ei < columns && ej >= 0 && ej < rows)
     {
       ci = ei;
@@ -239,9 +187,11 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
   int level = levels > 0 ? 1 : 0; // 0: cells, else blocks of level - 1
   while (!outside && s < to)
   {
-    if (medium.tolerance > 0.0f && reliefSettled(medium, result.thickness, to - max(s, from)))
+    real rest = reliefRest(medium, ray, s, from, to);
+    bool open = !onSurface && reliefAbove(ray, ground, left) > 0.0f; // what lies beyond is not known
+    if (medium.tolerance > 0.0f && !open && reliefSettled(medium, result.thickness, rest))
     {
-      result.rest = to - max(s, from);
+      result.rest = rest;
       return result;
     }
     ++result.cells;
@@ -267,8 +217,20 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
       real z0 = s * ray.dz - ray.sink;
       real z1 = min(s1, to) * ray.dz - ray.sink;
       bool under = max(z0, z1) + reliefMargin(ray, min(s1, to)) < lo - ray.base;
-      if (lo > hi || holds)
+      bool hole = lo > hi;
+      if (hole && reliefAlongSide(ray, bi << shift, bj << shift))
       {
+        --level;
+        continue;
+      }
+      if (hole || holds)
+      {
+        if (onSurface)
+        {
+          left = s;
+          leftAxis = axis;
+          kept = result.thickness;
+        }
         result.thickness +=
           reliefLevelLength(max(s, from), min(s1, to), reliefAbove(ray, ground, 0.0f), ray.dz);
         onSurface = false;
@@ -289,13 +251,20 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
     }
     else
     {
-      real h00 = reliefHeight(field, ci, cj) - ray.base;
-      real h10 = reliefHeight(field, ci + 1, cj) - ray.base;
-      real h01 = reliefHeight(field, ci, cj + 1) - ray.base;
-      real h11 = reliefHeight(field, ci + 1, cj + 1) - ray.base;
+      real h00;
+      real h10;
+      real h01;
+      real h11;
+      reliefCorners(field, ray, ci, cj, h00, h10, h01, h11);
       real twist = (h11 - h10) - (h01 - h00);
       if (isnan(twist) || holds)
       {
+        if (onSurface)
+        {
+          left = s;
+          leftAxis = axis;
+          kept = result.thickness;
+        }
         result.thickness +=
           reliefLevelLength(max(s, from), min(s1, to), reliefAbove(ray, ground, 0.0f), ray.dz);
         onSurface = false;
@@ -317,16 +286,8 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
         }
         else
         {
-          bool near = throughX ? ray.dx < 0.0f : ray.dy < 0.0f;
-          real next = throughX
-            ? reliefEdgeHeight(ray, 0, ci, cj, s1, near ? h00 : h10, near ? h01 : h11)
-            : reliefEdgeHeight(ray, 1, ci, cj, s1, near ? h00 : h01, near ? h10 : h11);
-          real bend = twist * (ray.dx * (s1 - s)) * (ray.dy * (s1 - s));
-          // A bow no deeper than rounding, a quarter of it, is none.
-          bend = abs(bend) <= 4.0f * reliefMargin(ray, s1) ? real(0.0f) : bend;
-          result.thickness += reliefPatchLength(
-            s, s1, reliefAbove(ray, ground, s), reliefAbove(ray, next, s1), bend, from, to);
-          ground = next;
+          result.thickness +=
+            reliefCellLength(ray, ci, cj, throughX, s, s1, h00, h10, h01, h11, from, to, ground);
         }
       }
     }
@@ -342,33 +303,16 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
     int previousJ = cj;
     if (level > 0)
     {
-      // The other coordinate follows from the position; rounding must not take it out of the block.
-      if (throughX)
-      {
-        cj = clamp(reliefCellAhead(ray.y + ray.dy * s, ray.dy, ray.j, rows), bj << shift,
-          min((bj + 1) << shift, rows) - 1);
-      }
-      else
-      {
-        ci = clamp(reliefCellAhead(ray.x + ray.dx * s, ray.dx, ray.i, columns), bi << shift,
-          min((bi + 1) << shift, columns) - 1);
-      }
-      if (onSurface)
-      {
-        int i = throughX ? lineX : ci;
-        int j = throughX ? cj : lineY;
-        real first = reliefHeight(field, i, j) - ray.base;
-        real second = reliefHeight(field, throughX ? i : i + 1, throughX ? j + 1 : j) - ray.base;
-        ground = reliefEdgeHeight(ray, axis, i, j, s, first, second);
-      }
+      reliefLeaveBlock(ray, throughX, shift, columns, rows, s, ci, cj);
+      ground = onSurface ? reliefHeightAtExit(field, ray, throughX, lineX, lineY, ci, cj, s) : ground;
     }
     if (throughX)
     {
-      ci = lineX - (stepX < 0 ? 1 : 0);
+      ci = lineX - (ray.dx < 0.0f ? 1 : 0);
     }
     else
     {
-      cj = lineY - (stepY < 0 ? 1 : 0);
+      cj = lineY - (ray.dy < 0.0f ? 1 : 0);
     }
     outside = ci < 0 || ci >= columns || cj < 0 || cj >= rows;
 
@@ -380,9 +324,22 @@ RELIEF_FIELD_FN ReliefTrace reliefTrace(RELIEF_FIELD field, ReliefMedium medium,
     }
   }
 
+  if (outside && onSurface)
+  {
+    left = s;
+    leftAxis = axis;
+    kept = result.thickness;
+    onSurface = false;
+  }
   if (s < to)
   {
     result.thickness += reliefLevelLength(max(s, from), to, reliefAbove(ray, ground, 0.0f), ray.dz);
+  }
+  real above = reliefAbove(ray, ground, left);
+  if (!onSurface && above > 0.0f && reliefGoesOn(medium, ray) &&
+    reliefNeverReturns(field, ray, left, leftAxis))
+  {
+    result.thickness = kept + reliefBeyond(field, medium, ray, left, leftAxis, above);
   }
   return result;
 }
@@ -398,7 +355,7 @@ RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int
   ray.j = j;
   ray.base = reliefHeight(field, i, j);
   bool sunkAlongNormal = medium.offset == RELIEF_SURFACE_NORMAL;
-  real3 offset = sunkAlongNormal ? medium.depth * n : real3(0.0f, 0.0f, medium.depth);
+  real3 offset = sunkAlongNormal ? medium.depth * n : real3(0.0f, 0.0f, reliefSink(field, medium, i, j));
   ray.x = -offset.x / reliefSpacingX(field);
   ray.y = -offset.y / reliefSpacingY(field);
   ray.sink = offset.z;
@@ -407,23 +364,10 @@ RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int
   if (positional)
   {
     real3 toLight = light + offset;
-    // Scaled by its largest part first, so that the squares neither overflow nor vanish.
-    real scale = max(abs(toLight.x), max(abs(toLight.y), abs(toLight.z)));
-    ray.end = 0.0f;
-    l = real3(0.0f, 0.0f, 1.0f);
-    if (scale > 0.0f)
-    {
-      real3 part = toLight / scale;
-      real size = sqrt(part.x * part.x + part.y * part.y + part.z * part.z);
-      ray.end = scale * size;
-      l = part / size;
-    }
+    reliefToward(toLight.x, toLight.y, toLight.z, l.x, l.y, l.z, ray.end);
   }
-  // A component this small comes from rounding in somebody's sine or cosine; over the largest image
-  // it moves the ray by less than a ten-thousandth of a sample, but it would take a ray along the last
-  // grid line out of the image.
-  ray.dx = abs(l.x) < real(1.0e-12f) ? real(0.0f) : l.x / reliefSpacingX(field);
-  ray.dy = abs(l.y) < real(1.0e-12f) ? real(0.0f) : l.y / reliefSpacingY(field);
+  ray.dx = reliefAlong(l.x, reliefSpacingX(field));
+  ray.dy = reliefAlong(l.y, reliefSpacingY(field));
   ray.dz = l.z;
   return ray;
 }
@@ -431,22 +375,48 @@ RELIEF_FIELD_FN ReliefRay reliefRay(RELIEF_FIELD field, ReliefMedium medium, int
 //-------------------------------------------------------------------------------------------------
 // Depth 0
 
+// The slopes of the plane in one of the four quadrants about a ray's sample. Returns whether there is none:
+// outside the image and in a hole.
+RELIEF_FIELD_FN bool reliefQuadrant(
+  RELIEF_FIELD field, ReliefRay ray, int di, int dj, RELIEF_OUT(real) gx, RELIEF_OUT(real) gy)
+{
+  int i1 = ray.i + di;
+  int j1 = ray.j + dj;
+  real none = RELIEF_NAN;
+  bool hasColumn = i1 >= 0 && i1 < reliefColumns(field);
+  bool hasRow = j1 >= 0 && j1 < reliefRows(field);
+  real hx = hasColumn ? reliefHeight(field, i1, ray.j) - ray.base : none;
+  real hy = hasRow ? reliefHeight(field, ray.i, j1) - ray.base : none;
+  gx = isnan(hx) ? real(0.0f) : hx / (real(di) * reliefSpacingX(field));
+  gy = isnan(hy) ? real(0.0f) : hy / (real(dj) * reliefSpacingY(field));
+  return isnan(hx + hy) || isnan(reliefHeight(field, i1, j1));
+}
+
 // The limit of d for t -> 0 at an unshadowed sample. The ray then stays so near that the surface is
 // four planes that meet at the sample; r / t is the inside length of a ray from depth 1 below them.
 RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l)
 {
-  real3 start = medium.offset == RELIEF_SURFACE_NORMAL ? -n : real3(0.0f, 0.0f, -1.0f);
+  ReliefMedium unit = medium;
+  unit.depth = 1.0f;
+  real3 start = medium.offset == RELIEF_SURFACE_NORMAL
+    ? -n
+    : real3(0.0f, 0.0f, -reliefSink(field, unit, ray.i, ray.j));
   real lx = ray.dx * reliefSpacingX(field); // l without what is rounding
   real ly = ray.dy * reliefSpacingY(field);
+  bool atLight = !(ray.end > 0.0f); // straight above the point, in the sample
   real from = 0.0f;
   if (medium.useFloor && medium.floorHeight >= ray.base)
   {
     // The floor lies above all that is near, or as high as the sample.
-    if (medium.floorHeight > ray.base || l.z <= 0.0f)
+    if (atLight || medium.floorHeight > ray.base || l.z <= 0.0f)
     {
       return 1.0f;
     }
     from = -start.z / l.z;
+  }
+  if (atLight)
+  {
+    return medium.offset == RELIEF_SURFACE_NORMAL ? real(1.0f) : real(-1.0f) / start.z;
   }
   real crossX = lx != 0.0f ? -start.x / lx : real(0.0f);
   real crossY = ly != 0.0f ? -start.y / ly : real(0.0f);
@@ -455,8 +425,14 @@ RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, Reli
 
   real thickness = 0.0f;
   real s = 0.0f;
+  bool sideways = start.x != 0.0f || start.y != 0.0f;
   bool atStart = true;
-  real ground = 0.0f; // surface or held level at s
+  bool held = false;
+  bool beside = false;   // whether the ray starts beside the data
+  real behind = 0.0f;    // how much the last plane rose along the ray
+  real leftAbove = 0.0f; // while it is held: its height above the ray where that began
+  real kept = 0.0f;      // and the thickness till there
+  real ground = 0.0f;    // surface or held level at s
   for (int piece = 0; piece < 3; ++piece)
   {
     bool last = piece == 2;
@@ -472,28 +448,65 @@ RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, Reli
     real y = start.y + middle * ly;
     int di = x < 0.0f || (x == 0.0f && ray.i == reliefColumns(field) - 1) ? -1 : 1;
     int dj = y < 0.0f || (y == 0.0f && ray.j == reliefRows(field) - 1) ? -1 : 1;
-    int i1 = ray.i + di;
-    int j1 = ray.j + dj;
-    real none = RELIEF_NAN;
-    bool hasColumn = i1 >= 0 && i1 < reliefColumns(field);
-    bool hasRow = j1 >= 0 && j1 < reliefRows(field);
-    real hx = hasColumn ? reliefHeight(field, i1, ray.j) - ray.base : none;
-    real hy = hasRow ? reliefHeight(field, ray.i, j1) - ray.base : none;
-    bool level = isnan(hx + hy) || isnan(reliefHeight(field, i1, j1));
-    real gx = isnan(hx) ? real(0.0f) : hx / (real(di) * reliefSpacingX(field));
-    real gy = isnan(hy) ? real(0.0f) : hy / (real(dj) * reliefSpacingY(field));
+    real gx;
+    real gy;
+    bool level = reliefQuadrant(field, ray, di, dj, gx, gy);
+    // Along a grid line over the cell on the other side, if that has data.
+    real otherX;
+    real otherY;
+    if (level && y == 0.0f && !reliefQuadrant(field, ray, di, -dj, otherX, otherY))
+    {
+      level = false;
+      gx = otherX;
+    }
+    else if (level && x == 0.0f && !reliefQuadrant(field, ray, -di, dj, otherX, otherY))
+    {
+      level = false;
+      gy = otherY;
+    }
     // Outside the image and in a hole the surface is held as high as it was, at the start as high as
     // the corners that have data make it.
     if (atStart || !level)
     {
       ground = gx * (start.x + s * lx) + gy * (start.y + s * ly);
     }
+    bool begins = atStart;
     atStart = false;
     real climb = level ? real(0.0f) : gx * lx + gy * ly;
     // The plane's height above the ray is linear along it: value and rate at this piece's start.
     real above = ground - (start.z + s * l.z);
     real rate = climb - l.z;
-    if (last)
+    if (level && !held)
+    {
+      if (begins)
+      {
+        // A start on the border has data behind it.
+        beside = sideways &&
+          reliefQuadrant(field, ray, start.x < 0.0f || (start.x == 0.0f && lx > 0.0f) ? -1 : 1,
+            start.y < 0.0f || (start.y == 0.0f && ly > 0.0f) ? -1 : 1, gx, gy);
+        behind = gx * lx + gy * ly;
+      }
+      leftAbove = above;
+      kept = thickness;
+    }
+    behind = level ? behind : climb;
+    held = level;
+    if (last && level && !beside && leftAbove > 0.0f && reliefGoesOn(medium, ray) &&
+      reliefNeverReturns(field, ray, 0.0f, 0))
+    {
+      // Beyond the data the ground goes on as it came.
+      bool bare = sideways &&
+        reliefQuadrant(field, ray, lx > 0.0f || (lx == 0.0f && start.x < 0.0f) ? -1 : 1,
+          ly > 0.0f || (ly == 0.0f && start.y < 0.0f) ? -1 : 1, gx, gy);
+      real rise = bare ? behind : reliefRiseBehind(field, medium, ray, 0.0f, 0);
+      real fall = l.z - min(rise, l.z / 2.0f);
+      if (!(fall > 0.0f))
+      {
+        return 0.0f;
+      }
+      thickness = kept + leftAbove / fall;
+    }
+    else if (last)
     {
       if (rate > 0.0f || (rate == 0.0f && above > 0.0f))
       {
@@ -525,8 +538,7 @@ RELIEF_FIELD_FN real reliefTraced(
   {
     return (d + reliefIllumination(medium, trace.thickness + trace.rest)) / 2.0f;
   }
-  if (medium.depth == 0.0f && medium.attenuation == RELIEF_RECIPROCAL && trace.thickness == 0.0f &&
-    ray.end > 0.0f)
+  if (medium.depth == 0.0f && medium.attenuation == RELIEF_RECIPROCAL && trace.thickness == 0.0f)
   {
     return reliefContact(field, medium, ray, n, l);
   }

@@ -6,6 +6,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
+#include <cstddef>
+
 namespace relief
 {
 
@@ -22,21 +25,52 @@ struct SceneTile
 
   static constexpr int Width = SweepThickness::TileWidth;
   static constexpr int Size = SweepThickness::TileSize;
-  unsigned char hasData[Size];
-  unsigned char wanted[Size];
-  glm::vec3 normals[Size];
-  glm::vec3 toLight[Size];
-  float scatterFactor[Size];
-  float d[Size];
-  float r[Size];
+  /// One number of every sample, aligned for vectors of any width.
+  template <class T>
+  struct alignas(Width * sizeof(float)) Plane
+  {
+    T values[Size];
+  };
+  template <class T>
+  using Color = Plane<T>[3];
+
+  /// What the lights sum up to.
+  enum Term
+  {
+    Diffuse,
+    Scatter,
+    Specular,
+    NumberOfTerms
+  };
+
+  /// Heights, NaN without data and outside the image, with those of the neighbours where there are
+  /// normals: the field's own where all of these are in the image, otherwise a copy.
+  const float* firstHeight; ///< of the tile's first sample
+  std::ptrdiff_t pitch;     ///< from row to row
+  static constexpr int RingPitch = 3 * Width;
+  alignas(Width * sizeof(float)) float ring[(Width + 2) * RingPitch];
+  Plane<float> d;
+  Plane<float> r;
+  Plane<float> thickness; // r of the first light
+  Plane<float> share;     // of a light, in a term
+  Color<float> normal;
+  Color<float> toLight;
+  Plane<float> scatterFactor;
   // Sums over the lights, which may be a million: in float, small ones would be lost in them.
-  glm::dvec3 diffuse[Size];
-  glm::dvec3 scatter[Size];
-  glm::dvec3 specular[Size];
-  double illumination[Size];
-  glm::vec3 base[Size];  // where it is textured
-  glm::vec3 color[Size]; // that a texture gives
-  float thickness[Size];
+  Color<double> sums[NumberOfTerms];
+  Plane<double> illumination;
+  // The sums, rounded; of a grey picture only the first channel.
+  Color<float> terms[NumberOfTerms];
+  Color<float> base; // where it is textured
+  // For what takes samples one by one.
+  glm::vec3 normals[Size];
+  glm::vec3 texels[Size];
+  unsigned char wanted[Size];
+
+  const float* HeightsOf(int row) const { return this->firstHeight + row * this->pitch; }
+
+  /// By its place in the other arrays.
+  bool HasData(int at) const { return !std::isnan(this->HeightsOf(at / Width)[at % Width]); }
 
   /// The place of a sample in the arrays.
   int At(int i, int j) const

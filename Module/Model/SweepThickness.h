@@ -2,9 +2,11 @@
 #ifndef SweepThickness_h
 #define SweepThickness_h
 
+#include "Crossings.h"
 #include "HeightField.h"
 #include "RayThickness.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace relief
@@ -32,7 +34,7 @@ public:
   static constexpr int TileSize = TileWidth * TileHeight;
 
   /// Whether a light and medium are of the kind that is swept: a directional light at or above the
-  /// horizon, points sunk vertically, no floor.
+  /// horizon, points sunk straight down.
   static bool Applies(const f64::ReliefMedium& medium, const Light& light);
 
   /// Whether squares of heights are no numbers in single precision, so that rays are traced one by
@@ -50,38 +52,21 @@ public:
   /// Bytes that the crossings take.
   std::size_t GetMemorySize() const
   {
-    return sizeof(*this) + this->Prepared.cells.capacity() * sizeof(Cell) +
-      (this->Prepared.groups.capacity() + this->Prepared.spans.capacity()) * sizeof(Group);
+    return sizeof(*this) + this->Prepared.crossings.GetMemorySize() +
+      this->Prepared.steps.capacity() * sizeof(Step);
   }
 
   /// The instruction set in use, for reports.
   static const char* GetTargetName();
 
-  // One cell that every ray runs through, by its offset from the ray's sample, and the two samples
-  // between which the ray leaves it.
-  struct Cell
+  // A cell of the crossings as the walk takes it that minds neither border nor holes.
+  struct Step
   {
-    int x;
-    int y;
-    int firstX, firstY;
-    int secondX, secondY;
-    float weight; // of the second sample at the exit
-    float length; // of the ray in the cell
-    float rise;   // of the ray at the exit above its sample
-    bool touches; // only a corner, and so does not end a hole
-    float bend;   // what the patch's twist is multiplied by to give the quadratic's curvature
-  };
-
-  // Consecutive cells that are skipped or walked together.
-  struct Group
-  {
-    int begin;
-    int end;
-    int x0, x1, y0, y1; // offsets that its cells span
-    float riseIn;       // of the ray above its sample where it enters the first cell
-    float riseOut;      // and where it leaves the last
-    float length;
-    float distance; // of the entry along the ray
+    // Places in the heights, from the ray's own sample on: of the samples between which the ray
+    // leaves the cell, and of the cell's first.
+    std::ptrdiff_t first, second, cell;
+    float weight, distance, length, rise, bend; // as the cell has them
+    float margin;                               // within which a ray is on the surface at the exit
   };
 
   // What the loops read.
@@ -89,22 +74,17 @@ public:
   {
     const HeightField* field;
     f32::ReliefMedium medium;
-    std::vector<Cell> cells;
-    std::vector<Group> groups;
-    std::vector<Group> spans; // of SpanSize groups each
+    float dx; // samples per unit of length
+    float dy;
     float dz;
+    Crossings crossings;
+    std::vector<Step> steps; // the rays' start, then each of the cells
   };
-  static constexpr int GroupSize = 4;
-  static constexpr int SpanSize = 4;
 
 private:
-  void FixLastLine(int column, int row, float* d, float* r, RayCount& count) const;
-
-  Plan Prepared;
   Light Source;
   bool Extreme;
-  bool AlongX;
-  bool AlongY;
+  Plan Prepared;
 };
 
 }

@@ -7,11 +7,13 @@
 #define SweepTrace_inl_h
 #endif
 
-#include "SweepThickness.h"
-#include "ThicknessLanes-inl.h"
+#include "SweepBeyond-inl.h"
+#include "SweepCells-inl.h"
+#include "SweepContact-inl.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace relief
@@ -19,215 +21,347 @@ namespace relief
 namespace HWY_NAMESPACE
 {
 
-// The rows of the padded heights; rows outside the image have no data.
-struct Rows
+// How much of something is in the image.
+enum class InImage
 {
-  const float* first;
-  std::ptrdiff_t pitch;
-  const float* missing;
-  int count;
-
-  HWY_INLINE const float* operator()(int j) const
-  {
-    return static_cast<unsigned int>(j) < static_cast<unsigned int>(this->count)
-      ? this->first + j * this->pitch
-      : this->missing;
-  }
+  Nothing,
+  Part,
+  All
 };
 
-// A tile of samples, and its state at the grid line that its rays crossed last.
-struct Tile
+// How much of each ray can still be inside: what is left to where it rises above everything; twice
+// as much where the ground goes on beyond the data, for it may be half as steep as the ray.
+HWY_INLINE Vector RestOf(
+  Tag tag, const SweepThickness::Plan& plan, float distance, const Tile& tile, int at)
 {
-  int x0; // the first sample
-  int y0;
-  int rows;                                          // of samples in the image
-  HWY_ALIGN float base[SweepThickness::TileSize];    // the samples' own heights
-  HWY_ALIGN float surface[SweepThickness::TileSize]; // the surface's height at the crossing
-  HWY_ALIGN float ground[SweepThickness::TileSize];  // that, or the height held across a hole
-  float* thickness;                                  // so far
-};
-
-HWY_INLINE Vector Interpolate(Tag tag, Vector first, Vector second, float weight)
-{
-  return hn::MulAdd(hn::Sub(second, first), hn::Set(tag, weight), first);
+  const Vector top = hn::Set(tag, plan.field->GetTop() + plan.medium.depth);
+  const Vector whole =
+    hn::Mul(hn::Add(hn::Sub(top, hn::Load(tag, tile.base + at)), hn::Load(tag, tile.more + at)),
+      hn::Set(tag, 1.0f / plan.dz));
+  const Vector rest = hn::Sub(whole, hn::Set(tag, distance));
+  return hn::Max(plan.medium.useFloor ? rest : hn::Add(rest, rest), hn::Zero(tag));
 }
 
-HWY_INLINE Vector Twist(Tag tag, const float* lower, const float* upper)
-{
-  return hn::Sub(hn::Sub(hn::LoadU(tag, upper + 1), hn::LoadU(tag, lower + 1)),
-    hn::Sub(hn::LoadU(tag, upper), hn::LoadU(tag, lower)));
-}
-
-// Within how much of the surface a ray counts as on it, as reliefAbove() tells; `rise` is what it
-// has climbed above the sample.
-HWY_INLINE float MarginAt(const SweepThickness::Plan& plan, float rise)
-{
-  return f32::RELIEF_ROUNDING * (rise + 2.0f * plan.medium.depth);
-}
-
-// Walks a group's cells with every ray of a tile.
-void WalkCells(const SweepThickness::Plan& plan, const Rows& rows,
-  const SweepThickness::Group& group, Tile& tile)
+void MeasureRest(const SweepThickness::Plan& plan, float distance, const Tile& tile, float* rest)
 {
   const Tag tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  const Vector zero = hn::Zero(tag);
-  for (int row = 0; row < tile.rows; ++row)
+  for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
   {
-    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
+    hn::Store(hn::Add(RestOf(tag, plan, distance, tile, at), hn::Load(tag, tile.unknown + at)), tag,
+      rest + at);
+  }
+}
+
+// Whether d is within the tolerance for every sample, however much of the rest is inside.
+bool IsSettled(const SweepThickness::Plan& plan, float distance, const Tile& tile, bool anyLeft)
+{
+  const Tag tag;
+  const Settler settler(plan.medium);
+  for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
+  {
+    const Vector rest =
+      hn::Add(RestOf(tag, plan, distance, tile, at), hn::Load(tag, tile.unknown + at));
+    // Samples without data compare false and so are never open.
+    if (!hn::AllFalse(tag, settler.Open(tag, hn::Load(tag, tile.thickness + at), rest)))
     {
-      const int at = row * SweepThickness::TileWidth + column;
-      const int x = tile.x0 + column;
-      const int y = tile.y0 + row;
-      const Vector base = hn::Load(tag, tile.base + at);
-      Vector surface = hn::Load(tag, tile.surface + at);
-      Vector ground = hn::Load(tag, tile.ground + at);
-      Vector thickness = hn::Load(tag, tile.thickness + at);
-      Vector rise = hn::Set(tag, group.riseIn);
-      Vector margin = hn::Set(tag, MarginAt(plan, group.riseIn));
-      for (int k = group.begin; k < group.end; ++k)
-      {
-        const SweepThickness::Cell& cell = plan.cells[k];
-        const Vector twist =
-          Twist(tag, rows(y + cell.y) + x + cell.x, rows(y + cell.y + 1) + x + cell.x);
-        const Vector next =
-          Interpolate(tag, hn::LoadU(tag, rows(y + cell.firstY) + x + cell.firstX),
-            hn::LoadU(tag, rows(y + cell.secondY) + x + cell.secondX), cell.weight);
-
-        // Across a hole the ground stays where it was, and so it does in a cell that is only
-        // touched. Out of a hole it jumps to the surface.
-        const Mask missing = hn::IsNaN(twist);
-        const Mask hole = cell.touches ? hn::Or(missing, hn::Ne(ground, surface)) : missing;
-        const Vector from = hn::IfThenElse(hole, ground, surface);
-        ground = hn::IfThenElse(hole, ground, next);
-        surface = next;
-        const Vector a = hn::Sub(hn::Sub(from, base), rise);
-        rise = hn::Set(tag, cell.rise);
-        const Vector marginIn = margin;
-        margin = hn::Set(tag, MarginAt(plan, cell.rise));
-        const Vector b = hn::Sub(hn::Sub(ground, base), rise);
-        const Vector c = hn::IfThenZeroElse(hole, hn::Mul(twist, hn::Set(tag, cell.bend)));
-
-        const Vector length = hn::Set(tag, cell.length);
-        const Mask aInside = hn::Gt(a, zero);
-        // A turning point reaches zero only if the bow, a quarter of c deep, is deeper than the
-        // ends are far; and an end within the margin, which grows along the ray, is not inside.
-        const Vector bow = hn::Abs(hn::Mul(c, hn::Set(tag, 0.25f)));
-        const Mask crosses = hn::Or(hn::Xor(aInside, hn::Gt(b, zero)),
-          hn::Ge(hn::Add(bow, margin), hn::Min(hn::Abs(a), hn::Abs(b))));
-        if (HWY_LIKELY(hn::AllFalse(tag, crosses)))
-        {
-          thickness = hn::Add(thickness, hn::IfThenElseZero(aInside, length));
-        }
-        else
-        {
-          thickness = hn::MulAdd(length, InsideShare(tag, a, b, c, marginIn, margin), thickness);
-        }
-      }
-      hn::Store(surface, tag, tile.surface + at);
-      hn::Store(ground, tag, tile.ground + at);
-      hn::Store(thickness, tag, tile.thickness + at);
+      return false;
     }
   }
+  for (int at = 0; anyLeft && at < SweepThickness::TileSize; ++at)
+  {
+    if (IsOpen(plan, tile, at))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
-// The same where all the cells are in the image and none is a hole, whose patches have twists of at
-// most `twist`: where both ends are further from zero than the bow can be deep, the ray is all in
-// or all out. What a hole before them held ends here, so they start at the surface; the first is
-// not one that is only touched, if anything is held.
-void WalkWholeCells(
-  const SweepThickness::Plan& plan, const SweepThickness::Group& group, float twist, Tile& tile)
+// Adds a group's cells that are all inside.
+void AddWhole(const Crossings::Group& group, bool floored, Tile& tile)
 {
   const Tag tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
+  const Vector length = hn::Set(tag, group.length);
+  for (int at = 0; at < SweepThickness::TileSize; at += static_cast<int>(hn::Lanes(tag)))
+  {
+    const Vector under = floored
+      ? UnderFloor(tag, hn::Load(tag, tile.from + at), group.distance, group.length)
+      : hn::Zero(tag);
+    hn::Store(hn::Add(hn::Load(tag, tile.thickness + at), hn::Sub(length, under)), tag,
+      tile.thickness + at);
+  }
+}
+
+// The sweep of a tile: takes its rays through the groups of cells, one after the other.
+class TileSweep
+{
+public:
+  TileSweep(const SweepThickness::Plan& plan, int x0, int y0, float* thickness, RayCount& count);
+
+  // Fills the thicknesses. Returns whether the rays stopped before their end: then `rest` is filled
+  // too.
+  bool Run(float* rest);
+
+private:
+  InImage FindBounds(const Crossings::Group& group, int size, MinMaxPyramid::Bounds& found) const;
+  int SkipSpans(int g);
+  bool IsBelow(const Crossings::Group& span, int size);
+  bool Take(const Crossings::Group& group);
+  void Walk(const Crossings::Group& group, bool floored, InImage inImage, bool whole);
+  void Skip();
+  void Arrive();
+  void CatchUp(const Crossings::Group& group);
+
+  const SweepThickness::Plan& Prepared;
+  Rows AllRows;
+  RayCount& Count;
+  Tile Rays;
+  Waiting Crossed;
+  TileHeights Own;
+  FloorExits Exits = {};
+  int LastX; // the last sample in the image
+  int LastY;
+  bool Started = false; // surface and ground are in use
+  bool Current = true;  // they belong to the crossing before the group
+  bool Holding = false; // some ray may hold its ground
+  bool AnyLeft = false; // or is marked to
+  float Held;           // no ray's ground is higher, once rays have left the image
+};
+
+TileSweep::TileSweep(
+  const SweepThickness::Plan& plan, int x0, int y0, float* thickness, RayCount& count)
+  : Prepared(plan)
+  , AllRows(RowsOf(plan))
+  , Count(count)
+{
   const HeightView<float>& heights = plan.field->GetField().heights;
-  const std::ptrdiff_t pitch = heights.stepY;
-
-  // What the cells say, once for all rays.
-  struct Step
+  this->Rays.thickness = thickness;
+  this->Rays.x0 = x0;
+  this->Rays.y0 = y0;
+  this->Rays.rows = std::min(SweepThickness::TileHeight, heights.rows - y0);
+  this->LastX = std::min(x0 + SweepThickness::TileWidth, heights.columns) - 1;
+  this->LastY = y0 + this->Rays.rows - 1;
+  this->Own = LoadTile(plan, this->AllRows, this->Rays);
+  this->Held = this->Own.highest;
+  if (plan.medium.useFloor)
   {
-    const float* first;
-    const float* second;
-    const float* lower;
-    float weight, length, rise, marginIn, margin, bend, bow;
-  };
-  Step steps[SweepThickness::GroupSize];
-  const int count = group.end - group.begin;
-  const float* origin = heights.data + tile.y0 * pitch + tile.x0;
-  for (int k = 0; k < count; ++k)
-  {
-    const SweepThickness::Cell& cell = plan.cells[group.begin + k];
-    const float marginIn = k == 0 ? MarginAt(plan, group.riseIn) : steps[k - 1].margin;
-    const float margin = MarginAt(plan, cell.rise);
-    steps[k] = { origin + cell.firstY * pitch + cell.firstX,
-      origin + cell.secondY * pitch + cell.secondX, origin + cell.y * pitch + cell.x, cell.weight,
-      cell.length, cell.rise, marginIn, margin, cell.bend,
-      0.25f * twist * std::abs(cell.bend) + margin };
+    this->Exits = FindFloorExits(plan, this->Rays);
   }
+}
 
-  for (int row = 0; row < tile.rows; ++row)
+bool TileSweep::Run(float* rest)
+{
+  const SweepThickness::Plan& plan = this->Prepared;
+  this->Count.rays += this->Own.samples;
+  const bool meetsNothing =
+    this->Own.samples == 0 || this->Exits.first == std::numeric_limits<float>::infinity();
+  const int groups = meetsNothing ? 0 : static_cast<int>(plan.crossings.GetGroups().size());
+  for (int g = 0; g < groups; ++g)
   {
-    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
+    const Crossings::Group& group = plan.crossings.GetGroups()[g];
+    if (this->Own.lowest + group.riseIn > plan.field->GetTop())
     {
-      const int at = row * SweepThickness::TileWidth + column;
-      const std::ptrdiff_t offset = row * pitch + column;
-      const Vector base = hn::Load(tag, tile.base + at);
-      Vector thickness = hn::Load(tag, tile.thickness + at);
-      Vector a =
-        hn::Sub(hn::Sub(hn::Load(tag, tile.surface + at), base), hn::Set(tag, group.riseIn));
-      Vector next = base;
-      for (int k = 0; k < count; ++k)
+      break;
+    }
+    if (g % Crossings::SpanSize == 0 && plan.dz > 0.0f && g > 0)
+    {
+      // What waits makes rays thicker, and so settles them all the more.
+      if (plan.medium.tolerance > 0.0f &&
+        IsSettled(plan, group.distance, this->Rays, this->AnyLeft))
       {
-        const Step& step = steps[k];
-        next = Interpolate(tag, hn::LoadU(tag, step.first + offset),
-          hn::LoadU(tag, step.second + offset), step.weight);
-        const Vector b = hn::Sub(hn::Sub(next, base), hn::Set(tag, step.rise));
-        const Vector bow = hn::Set(tag, step.bow);
-        const Mask inside = hn::Gt(hn::Min(a, b), bow);
-        const Mask outside = hn::Lt(hn::Add(hn::Max(a, b), bow), hn::Zero(tag));
-        const Vector length = hn::Set(tag, step.length);
-        if (HWY_LIKELY(hn::AllTrue(tag, hn::Or(inside, outside))))
-        {
-          thickness = hn::Add(thickness, hn::IfThenElseZero(inside, length));
-        }
-        else
-        {
-          const float* lower = step.lower + offset;
-          const Vector c = hn::Mul(Twist(tag, lower, lower + pitch), hn::Set(tag, step.bend));
-          const Vector share =
-            InsideShare(tag, a, b, c, hn::Set(tag, step.marginIn), hn::Set(tag, step.margin));
-          thickness = hn::MulAdd(length, share, thickness);
-        }
-        a = b;
+        this->Crossed.AddTo(this->Rays.thickness);
+        MeasureRest(plan, group.distance, this->Rays, rest);
+        return true;
       }
-      hn::Store(next, tag, tile.surface + at);
-      hn::Store(next, tag, tile.ground + at);
-      hn::Store(thickness, tag, tile.thickness + at);
+      const int skipped = this->SkipSpans(g);
+      if (skipped > 0)
+      {
+        g += skipped - 1;
+        continue;
+      }
+    }
+    if (!this->Take(group))
+    {
+      break;
+    }
+  }
+  this->Crossed.AddTo(this->Rays.thickness);
+  if (this->AnyLeft && plan.dz > 0.0f && !plan.medium.useFloor)
+  {
+    GoOn(plan, this->Rays);
+  }
+  if (plan.medium.tolerance > 0.0f)
+  {
+    std::copy_n(this->Rays.unknown, SweepThickness::TileSize, rest);
+    return true;
+  }
+  return false;
+}
+
+// Bounds of the cells that the tile's rays run through in a group or a span, as far as they are in
+// the image. Returns how much of them is.
+InImage TileSweep::FindBounds(
+  const Crossings::Group& group, int size, MinMaxPyramid::Bounds& found) const
+{
+  static_assert(SweepThickness::TileWidth == SweepThickness::TileHeight);
+  constexpr int others = SweepThickness::TileWidth - 1;
+  static_assert(others + Crossings::BoxSize <= HeightField::GetReach(0));
+  static_assert(others + Crossings::SpanSize * Crossings::BoxSize <= HeightField::GetReach(1));
+  static_assert(others + Crossings::LongSpanSize * Crossings::BoxSize <= HeightField::GetReach(2));
+  const HeightView<float>& heights = this->Prepared.field->GetField().heights;
+  const int lastX = heights.columns - 2;
+  const int lastY = heights.rows - 2;
+  const int i0 = this->Rays.x0 + group.x0;
+  const int i1 = this->LastX + group.x1;
+  const int j0 = this->Rays.y0 + group.y0;
+  const int j1 = this->LastY + group.y1;
+  if (lastX < 0 || lastY < 0 || i1 < 0 || i0 > lastX || j1 < 0 || j0 > lastY)
+  {
+    return InImage::Nothing;
+  }
+  found = this->Prepared.field->GetSquares(size).From(std::max(i0, 0), std::max(j0, 0));
+  return i0 >= 0 && i1 <= lastX && j0 >= 0 && j1 <= lastY ? InImage::All : InImage::Part;
+}
+
+// Skips the spans that begin with a group, if they lie below all rays. Returns how many groups.
+int TileSweep::SkipSpans(int g)
+{
+  const Crossings& crossings = this->Prepared.crossings;
+  if (g % Crossings::LongSpanSize == 0 &&
+    this->IsBelow(crossings.GetLongSpans()[g / Crossings::LongSpanSize], 2))
+  {
+    this->Skip();
+    return Crossings::LongSpanSize;
+  }
+  if (this->IsBelow(crossings.GetSpans()[g / Crossings::SpanSize], 1))
+  {
+    this->Skip();
+    return Crossings::SpanSize;
+  }
+  return 0;
+}
+
+bool TileSweep::IsBelow(const Crossings::Group& span, int size)
+{
+  ++this->Count.cells;
+  MinMaxPyramid::Bounds bounds;
+  return this->FindBounds(span, size, bounds) == InImage::All &&
+    bounds.hi < this->Own.lowest + span.riseIn;
+}
+
+// Takes the rays through a group. Returns whether anything of the image can be behind it.
+bool TileSweep::Take(const Crossings::Group& group)
+{
+  const SweepThickness::Plan& plan = this->Prepared;
+  const bool floored = group.distance < this->Exits.last; // some ray is still under the floor
+  MinMaxPyramid::Bounds bounds;
+  const InImage inImage = this->FindBounds(group, 0, bounds);
+  ++this->Count.cells;
+  if (inImage == InImage::Nothing)
+  {
+    this->CatchUp(group);
+    AddLevelRest(plan, group, this->Rays);
+    this->AnyLeft = true;
+    return false;
+  }
+  const float lowestIn = this->Own.lowest + group.riseIn;
+  if (bounds.hi < lowestIn && (inImage == InImage::All || this->Held < lowestIn))
+  {
+    this->Current = false;
+    this->Holding = true;
+    if (inImage == InImage::All)
+    {
+      this->Arrive();
+    }
+    return true;
+  }
+  const float highestOut =
+    this->Own.highest + group.riseOut + WidestMargin(plan, MarginAt(plan, group.riseOut));
+  if (inImage == InImage::All && bounds.lo > highestOut)
+  {
+    AddWhole(group, floored, this->Rays);
+    this->Skip();
+    return true;
+  }
+  const bool whole = inImage == InImage::All && bounds.lo > -std::numeric_limits<float>::infinity();
+  if (whole && !(this->Holding && plan.crossings.GetCells()[group.begin].touches))
+  {
+    // Nothing is inside under the floor; but what a hole holds there counts later.
+    if (!(group.distance + group.length < this->Exits.first))
+    {
+      this->Count.cells +=
+        WalkWholeCells(plan, group, bounds.twist, floored, this->Rays, this->Crossed);
+    }
+    this->Skip();
+    return true;
+  }
+  this->Walk(group, floored, inImage, whole);
+  return true;
+}
+
+// Walks a group that is not all in the image, or where there are holes.
+void TileSweep::Walk(const Crossings::Group& group, bool floored, InImage inImage, bool whole)
+{
+  this->CatchUp(group);
+  this->Count.cells += this->Own.samples * static_cast<std::size_t>(group.end - group.begin);
+  (floored ? WalkCells<true> : WalkCells<false>)(this->Prepared, this->AllRows, group, this->Rays);
+  this->AnyLeft = true;
+  this->Holding = !whole;
+  if (inImage == InImage::Part)
+  {
+    this->Held = -std::numeric_limits<float>::infinity();
+    for (float ground : this->Rays.ground)
+    {
+      this->Held = ground > this->Held ? ground : this->Held;
     }
   }
 }
 
-// Sets surface and ground to the surface's height at the exit of a cell, after cells without holes.
-void Resume(const SweepThickness::Plan& plan, const Rows& rows, int index, Tile& tile)
+// After cells that hold nothing; surface and ground are left behind.
+void TileSweep::Skip()
 {
-  const Tag tag;
-  const int lanes = static_cast<int>(hn::Lanes(tag));
-  const SweepThickness::Cell& cell = plan.cells[index];
-  for (int row = 0; row < tile.rows; ++row)
+  this->Current = false;
+  this->Arrive();
+}
+
+// No ray holds its ground any more.
+void TileSweep::Arrive()
+{
+  if (this->AnyLeft)
   {
-    const float* first = rows(tile.y0 + row + cell.firstY) + tile.x0 + cell.firstX;
-    const float* second = rows(tile.y0 + row + cell.secondY) + tile.x0 + cell.secondX;
-    for (int column = 0; column < SweepThickness::TileWidth; column += lanes)
-    {
-      const int at = row * SweepThickness::TileWidth + column;
-      const Vector height = Interpolate(
-        tag, hn::LoadU(tag, first + column), hn::LoadU(tag, second + column), cell.weight);
-      hn::Store(height, tag, tile.surface + at);
-      // Rays that have left the image keep what they held.
-      const Vector ground = hn::Load(tag, tile.ground + at);
-      hn::Store(hn::IfThenElse(hn::IsNaN(height), ground, height), tag, tile.ground + at);
-    }
+    std::fill_n(this->Rays.left, SweepThickness::TileSize, -1.0f);
+    this->AnyLeft = false;
   }
+  this->Holding = false;
+}
+
+// Brings thickness, surface and ground to where a group begins. Few tiles need the last two, and
+// what rays hold.
+void TileSweep::CatchUp(const Crossings::Group& group)
+{
+  this->Crossed.AddTo(this->Rays.thickness);
+  if (!this->Started)
+  {
+    std::copy_n(this->Rays.base, SweepThickness::TileSize, this->Rays.surface);
+    std::copy_n(this->Rays.base, SweepThickness::TileSize, this->Rays.ground);
+    std::fill_n(this->Rays.left, SweepThickness::TileSize, -1.0f);
+    std::fill_n(this->Rays.kept, SweepThickness::TileSize, 0.0f);
+    this->Started = true;
+  }
+  if (!this->Current)
+  {
+    Resume(this->Prepared, this->AllRows, group.begin - 1, this->Rays);
+    this->Current = true;
+  }
+}
+
+// Fills the thicknesses of a tile. Returns whether the rays stopped before their end: then `rest`
+// is filled too. Both arrays are aligned.
+bool TraceTile(
+  const SweepThickness::Plan& plan, int x0, int y0, float* thickness, float* rest, RayCount& count)
+{
+  TileSweep sweep(plan, x0, y0, thickness, count);
+  return sweep.Run(rest);
 }
 
 }

@@ -9,6 +9,7 @@
 
 #include "SweepThickness.h"
 
+#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -30,6 +31,123 @@ using Tag = hn::CappedTag<float, MaxLanes>;
 using Vector = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 using IntTag = hn::RebindToSigned<Tag>;
+
+// The leaves of the model's text for a ray in each lane of a vector.
+namespace lanes
+{
+using real = Vector;
+
+HWY_INLINE Vector reliefReal(float x)
+{
+  return hn::Set(Tag(), x);
+}
+
+HWY_INLINE Vector reliefSelect(Mask mask, Vector a, Vector b)
+{
+  return hn::IfThenElse(mask, a, b);
+}
+
+HWY_INLINE Mask reliefAnd(Mask a, Mask b)
+{
+  return hn::And(a, b);
+}
+
+HWY_INLINE Mask reliefLess(Vector a, Vector b)
+{
+  return hn::Lt(a, b);
+}
+
+HWY_INLINE Mask reliefAtMost(Vector a, Vector b)
+{
+  return hn::Le(a, b);
+}
+
+HWY_INLINE Mask reliefEqual(Vector a, Vector b)
+{
+  return hn::Eq(a, b);
+}
+
+HWY_INLINE Mask reliefMissing(Vector a)
+{
+  return hn::IsNaN(a);
+}
+
+HWY_INLINE Vector reliefNegate(Vector a)
+{
+  return hn::Neg(a);
+}
+
+HWY_INLINE Vector reliefAdd(Vector a, Vector b)
+{
+  return hn::Add(a, b);
+}
+
+HWY_INLINE Vector reliefSubtract(Vector a, Vector b)
+{
+  return hn::Sub(a, b);
+}
+
+HWY_INLINE Vector reliefMultiply(Vector a, Vector b)
+{
+  return hn::Mul(a, b);
+}
+
+HWY_INLINE Vector reliefMultiplyAdd(Vector a, Vector b, Vector c)
+{
+  return hn::MulAdd(a, b, c);
+}
+
+HWY_INLINE Vector reliefDivide(Vector a, Vector b)
+{
+  return hn::Div(a, b);
+}
+
+HWY_INLINE Vector abs(Vector a)
+{
+  return hn::Abs(a);
+}
+
+HWY_INLINE Vector floor(Vector a)
+{
+  return hn::Floor(a);
+}
+
+HWY_INLINE Vector sqrt(Vector a)
+{
+  return hn::Sqrt(a);
+}
+
+HWY_INLINE Vector min(Vector a, Vector b)
+{
+  return hn::Min(a, b);
+}
+
+HWY_INLINE Vector max(Vector a, Vector b)
+{
+  return hn::Max(a, b);
+}
+
+// Of numbers from 0 to 1 to powers above 0, to single precision of 1.
+HWY_INLINE Vector pow(Vector x, Vector power)
+{
+  const Tag tag;
+  const Mask some = hn::Gt(x, hn::Zero(tag));
+  const Vector logarithm = hn::Log(tag, hn::IfThenElse(some, x, hn::Set(tag, 1.0f)));
+  return hn::IfThenElseZero(some, hn::Exp(tag, hn::Mul(power, logarithm)));
+}
+
+#define RELIEF_LANES
+#define RELIEF_BOOL Mask
+#define RELIEF_SAME float
+#define RELIEF_FN HWY_INLINE
+#define RELIEF_OUT(type) type&
+#include "ReliefLeaves.glsl"
+#undef RELIEF_LANES
+#undef RELIEF_BOOL
+#undef RELIEF_SAME
+#undef RELIEF_FN
+#undef RELIEF_OUT
+}
 
 // The power of two that brings a number's magnitude to [1, 2), as far as there is one.
 HWY_INLINE Vector Normalizer(Tag tag, Vector magnitude)
@@ -56,14 +174,7 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c, Vector marg
   const Vector high = hn::Max(a, b);
   const Vector low = hn::Min(a, b);
   const Vector fall = hn::Sub(high, low);
-  const Vector slope = hn::Sub(hn::Sub(low, high), c); // away from the higher end
-  const Vector rise = hn::Sub(fall, c);                // away from the lower one
-  // From the end nearer to zero: where two crossings meet there, nothing cancels.
-  const Mask fromLow = hn::Lt(hn::Abs(low), hn::Abs(high));
-  const Vector end = hn::IfThenElse(fromLow, low, high);
-  const Vector away = hn::IfThenElse(fromLow, rise, slope);
-  const Vector discriminant =
-    hn::Sub(hn::Mul(away, away), hn::Mul(hn::Set(tag, 4.0f), hn::Mul(end, c)));
+  const Vector discriminant = lanes::reliefDiscriminant(high, low, c);
   const Vector root = hn::Sqrt(hn::Max(discriminant, zero));
 
   // A bow no deeper than the margin, a quarter of c, is none.
@@ -73,28 +184,46 @@ HWY_INLINE Vector InsideShare(Tag tag, Vector a, Vector b, Vector c, Vector marg
   const Mask turns = hn::And(hn::Gt(bend, hn::Max(fall, least)),
     hn::And(hn::Not(hn::Xor(hn::Gt(c, zero), aInside)), hn::Gt(discriminant, zero)));
 
-  // One crossing, from the end inside it; or two, the stretch between them or what is left of it.
-  // One division serves all. Where the surface does not fall away from the higher end, c is
-  // negative.
-  const Mask falls = hn::And(differ, hn::Lt(slope, zero));
-  const Vector twice = hn::Add(high, high);
-  const Vector beside = hn::Sub(root, slope);
+  // One crossing; or two, the stretch between them or what is left of it.
   const Vector between = hn::IfThenElse(aInside, hn::Sub(bend, root), root);
-  Vector numerator = hn::IfThenElse(
-    falls, twice, hn::IfThenElse(differ, hn::Add(root, slope), hn::Add(between, between)));
-  Vector denominator = hn::IfThenElse(falls, beside, hn::Add(bend, bend));
+  Vector numerator;
+  Vector denominator;
+  lanes::reliefCrossings(differ, between, high, low, c, root, numerator, denominator);
   // What is left, if that is short and would have lost its digits, is found from either end.
   const Mask left = hn::AndNot(differ, hn::And(turns, aInside));
   const Mask brief = hn::And(left, hn::Lt(between, hn::Mul(hn::Set(tag, 0.0625f), bend)));
   if (HWY_UNLIKELY(!hn::AllFalse(tag, brief)))
   {
-    const Vector across = hn::Sub(root, rise); // as beside, from the lower end
-    numerator = hn::IfThenElse(
-      brief, hn::Add(hn::Mul(twice, across), hn::Mul(hn::Add(low, low), beside)), numerator);
+    const Vector beside = hn::Sub(root, hn::Sub(hn::Sub(low, high), c));
+    const Vector across = hn::Sub(root, hn::Sub(fall, c)); // from the lower end
+    const Vector ends =
+      hn::Add(hn::Mul(hn::Add(high, high), across), hn::Mul(hn::Add(low, low), beside));
+    numerator = hn::IfThenElse(brief, ends, numerator);
     denominator = hn::IfThenElse(brief, hn::Mul(beside, across), denominator);
   }
   const Vector share = hn::Min(hn::Max(hn::Div(numerator, denominator), zero), one);
   return hn::IfThenElse(hn::Or(differ, turns), share, hn::IfThenElseZero(aInside, one));
+}
+
+// d of rays by the reciprocal attenuation at a depth above 0, as reliefTraced() tells it; `rest`
+// may be null. The thicknesses are aligned, and their number is one of whole vectors.
+HWY_INLINE void IlluminateReciprocal(
+  float depth, int count, const float* thickness, const float* rest, float* d)
+{
+  const Tag tag;
+  const Vector t = hn::Set(tag, depth);
+  const int width = static_cast<int>(hn::Lanes(tag));
+  for (int at = 0; at < count; at += width)
+  {
+    const Vector r = hn::Load(tag, thickness + at);
+    Vector result = hn::Div(t, hn::Max(r, t));
+    if (rest)
+    {
+      const Vector low = hn::Div(t, hn::Max(hn::Add(r, hn::Load(tag, rest + at)), t));
+      result = hn::Mul(hn::Add(result, low), hn::Set(tag, 0.5f));
+    }
+    hn::StoreU(result, tag, d + at);
+  }
 }
 
 // Tells which rays' d may still change by more than the tolerance.
@@ -133,6 +262,19 @@ public:
     const Vector r = hn::Max(thickness, depth);
     const Vector one = hn::Set(tag, 1.0f);
     return hn::Gt(depth, hn::Mul(hn::Mul(twice, r), hn::Add(hn::Div(r, rest), one)));
+  }
+
+  // The same for a rest that is finite.
+  HWY_INLINE Mask OpenFor(Tag tag, Vector thickness, Vector rest) const
+  {
+    if (this->Exponential || this->Depth == 0.0f)
+    {
+      return this->Open(tag, thickness, rest);
+    }
+    const Vector depth = hn::Set(tag, this->Depth);
+    const Vector r = hn::Max(thickness, depth);
+    const Vector whole = hn::Mul(hn::Mul(hn::Set(tag, this->Twice), r), hn::Add(r, rest));
+    return hn::Gt(hn::Mul(depth, rest), whole);
   }
 
 private:

@@ -19,8 +19,7 @@ const char* const StepsBilinear = "fixed steps, d = t / r, bilinear surface";
 
 namespace
 {
-const double Tolerances[] = { 0.0, 1e-4, 3e-4, 1e-3, DefaultTolerance, 5e-3, 0.01, 0.02, 0.05,
-  0.1 };
+const double Tolerances[] = { 0.0, 1e-4, MarkedTolerance, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1 };
 
 // Samples on which errors are measured, and, of these, as many as keep a run of fixed steps short.
 constexpr std::size_t ProbeSize = 131072;

@@ -29,8 +29,8 @@ extern const char* const StepsPublished;
 extern const char* const StepsThickness;
 extern const char* const StepsBilinear;
 
-/// The tolerance that scenes have unless it is set.
-constexpr double DefaultTolerance = 0.002;
+/// The tolerance that the charts mark and the comparisons take: the scene's default.
+constexpr double MarkedTolerance = 0.0003;
 
 /// Where the light of the curves stands: low enough for long shadows.
 constexpr double CurveAzimuth = 315.0;

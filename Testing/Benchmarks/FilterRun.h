@@ -7,6 +7,8 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkImageReliefShading.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkReliefScene.h>
@@ -30,8 +32,8 @@ inline std::vector<std::pair<double, double>> Suns(int count)
   return suns;
 }
 
-/// The whole filter, heights to 8-bit colour: padded copy, bounds, rays and colours, at the default
-/// tolerance and with t = one sample's spacing.
+/// The whole filter, heights to colour: padded copy, bounds, rays and colours, 8 bits of each
+/// unless changed, at the default tolerance and with t = one sample's spacing.
 class FilterRun
 {
 public:
@@ -52,6 +54,12 @@ public:
     }
   }
 
+  ///@{
+  /// What is run, to be changed.
+  vtkImageReliefShading* GetFilter() { return this->Shading; }
+  vtkReliefScene* GetScene() { return this->Shading->GetScene(); }
+  ///@}
+
   /// How VTK runs several threads: as it is configured to.
   static const std::string& ThreadedBackend()
   {
@@ -66,16 +74,32 @@ public:
   /// Computes everything anew.
   void Run(int threads)
   {
-    // The sequential backend stays on this thread, whose time then is all the time.
-    vtkSMPTools::SetBackend(threads > 1 ? ThreadedBackend().c_str() : "Sequential");
-    vtkSMPTools::Initialize(threads);
     this->Image->Modified();
-    this->Shading->Update();
+    this->Update(threads);
+  }
+
+  /// The first light moves a little, and nothing else has changed.
+  void RunMoved(int threads)
+  {
+    auto* light = vtkLight::SafeDownCast(this->GetScene()->GetLights()->GetItemAsObject(0));
+    double* position = light->GetPosition();
+    light->SetPosition(position[0] + this->Move, position[1], position[2]);
+    this->Move = -this->Move;
+    this->Update(threads);
   }
 
 private:
+  void Update(int threads)
+  {
+    // The sequential backend stays on this thread, whose time then is all the time.
+    vtkSMPTools::SetBackend(threads > 1 ? ThreadedBackend().c_str() : "Sequential");
+    vtkSMPTools::Initialize(threads);
+    this->Shading->Update();
+  }
+
   vtkNew<vtkImageData> Image;
   vtkNew<vtkImageReliefShading> Shading;
+  double Move = 1.0e-9;
 };
 
 }

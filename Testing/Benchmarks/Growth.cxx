@@ -70,7 +70,7 @@ std::vector<GrowthPoint> MeasureGrowth(int first, int last, int repetitions)
     const double samples = static_cast<double>(fields.size) * fields.size;
     add("exact, tolerance 0.002", fields, samples,
       [&](const relief::HeightField& field)
-      { RunSweep(field, Medium(field, DefaultTolerance), sun, d.data()); });
+      { RunSweep(field, Medium(field, MarkedTolerance), sun, d.data()); });
     add("exact, tolerance 0", fields, samples,
       [&](const relief::HeightField& field)
       { RunSweep(field, Medium(field, 0.0), sun, d.data()); });

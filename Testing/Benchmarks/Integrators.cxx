@@ -3,7 +3,7 @@
 
 #include "SceneShading.h"
 #include "StepThickness.h"
-#include "SweepThickness.h"
+#include "SweptRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,26 +151,11 @@ relief::f64::ReliefMedium Medium(const relief::HeightField& field, double tolera
 void RunSweep(const relief::HeightField& field, const relief::f64::ReliefMedium& medium,
   const relief::Light& light, float* d)
 {
-  using relief::SweepThickness;
-  const relief::HeightView<float>& heights = field.GetField().heights;
-  const SweepThickness sweep(field, medium, light);
+  const int columns = field.GetField().heights.columns;
   relief::RayCount count;
-  float tile[SweepThickness::TileSize];
-  for (int y = 0; y < heights.rows; y += SweepThickness::TileHeight)
-  {
-    const int rows = std::min(SweepThickness::TileHeight, heights.rows - y);
-    for (int x = 0; x < heights.columns; x += SweepThickness::TileWidth)
-    {
-      sweep.IlluminateTile(
-        x / SweepThickness::TileWidth, y / SweepThickness::TileHeight, tile, nullptr, count);
-      const int columns = std::min(SweepThickness::TileWidth, heights.columns - x);
-      for (int j = 0; j < rows; ++j)
-      {
-        std::copy_n(tile + j * SweepThickness::TileWidth, columns,
-          d + static_cast<std::size_t>(y + j) * heights.columns + x);
-      }
-    }
-  }
+  ForEachSweptRow(field, medium, light, SweptLayers::Illumination, count,
+    [&](int i, int j, int size, const float* row, const float*)
+    { std::copy_n(row, size, d + static_cast<std::size_t>(j) * columns + i); });
 }
 
 void RunScene(const relief::HeightField& field, const relief::f64::ReliefMedium& medium,

@@ -13,6 +13,7 @@
 
 #include <vtkPlotPoints.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -72,12 +73,12 @@ bool DrawCurves(
     chart.series.push_back(series);
   }
   Series preset;
-  preset.name = "the default tolerance, 0.002";
+  preset.name = "tolerance 0.002";
   preset.line = false;
   preset.marker = vtkPlotPoints::CIRCLE;
   for (const CurvePoint& point : points)
   {
-    if (point.knob == DefaultTolerance)
+    if (point.knob == MarkedTolerance)
     {
       preset.x.push_back(point.nanoseconds);
       preset.y.push_back(point.error.mostOf999);
@@ -96,7 +97,7 @@ void FollowSteps(const Relief& relief, int mostSteps, std::vector<CurvePoint>& p
          std::pair(Stepping::Thickness, StepsThickness),
          std::pair(Stepping::Bilinear, StepsBilinear) })
   {
-    const StepsFor found = FindSteps(*field, stepping, DefaultTolerance, 1 << 20);
+    const StepsFor found = FindSteps(*field, stepping, MarkedTolerance, 1 << 20);
     if (found.steps == 0)
     {
       std::cout << "  " << name << ": no number of steps for an error of 0.002, none below "

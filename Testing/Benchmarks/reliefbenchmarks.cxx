@@ -13,6 +13,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -28,7 +29,7 @@ struct Case
   std::string ground = "terrain";
   int size = 1024;
   double altitude = 20.0;
-  double tolerance = DefaultTolerance;
+  double tolerance = MarkedTolerance;
   int offset = relief::f64::RELIEF_VERTICAL;
 };
 

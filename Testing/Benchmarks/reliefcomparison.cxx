@@ -7,6 +7,7 @@
 //
 // With a SIZE, the field is that small, for a trial run.
 #include "BenchmarkTerrain.h"
+#include "Comparison.h"
 #include "Curves.h"
 #include "FilterRun.h"
 #include "Growth.h"
@@ -14,7 +15,6 @@
 #include "LightSampling.h"
 #include "SceneShading.h"
 #include "Targets.h"
-#include "Timing.h"
 #ifdef RELIEF_HAVE_EMBREE
 #include "EmbreeShadows.h"
 #endif
@@ -27,85 +27,10 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <map>
-#include <sstream>
-#include <thread>
 
 namespace
 {
 using namespace bench;
-
-// The table: what was measured, and what is expected of it.
-class Table
-{
-public:
-  void Add(const std::string& name, double measured, const char* unit, double goal, bool atLeast)
-  {
-    std::ostringstream value;
-    value << std::setprecision(3) << measured << unit;
-    std::ostringstream aim;
-    if (goal > 0.0)
-    {
-      aim << (atLeast ? ">= " : "<= ") << goal << unit;
-    }
-    const bool met = atLeast ? measured >= goal : measured <= goal;
-    this->Rows.push_back({ name, value.str(), aim.str(), goal > 0.0 ? (met ? "yes" : "no") : "" });
-  }
-
-  void Write(std::ostream& out, bool csv) const
-  {
-    for (const auto& row : this->Rows)
-    {
-      if (csv)
-      {
-        out << "\"" << row[0] << "\",\"" << row[1] << "\"\n";
-        continue;
-      }
-      out << std::left << std::setw(76) << row[0] << std::right << std::setw(12) << row[1]
-          << std::setw(12) << row[2] << std::setw(5) << row[3] << "\n";
-    }
-  }
-
-private:
-  std::vector<std::vector<std::string>> Rows{ { "what", "measured", "goal", "met" } };
-};
-
-// Rivals by their names.
-class Contest
-{
-public:
-  void Add(const std::string& name, double samples, const std::function<void()>& run,
-    Clock clock = Clock::Thread)
-  {
-    Rival rival;
-    rival.name = name;
-    rival.samples = samples;
-    rival.run = run;
-    rival.clock = clock;
-    this->Rivals.push_back(rival);
-  }
-  void Race(int repetitions)
-  {
-    bench::Race(this->Rivals, repetitions);
-    for (const Rival& rival : this->Rivals)
-    {
-      std::cout << "  " << std::left << std::setw(48) << rival.name << std::right << std::setw(12)
-                << std::setprecision(4) << rival.Least() << " ns a sample, median "
-                << rival.Median() << "\n";
-      this->Times[rival.name] = rival.Least();
-    }
-  }
-  double operator[](const std::string& name) const { return this->Times.at(name); }
-
-private:
-  std::vector<Rival> Rivals;
-  std::map<std::string, double> Times;
-};
-
-std::string At(const std::string& name, double altitude)
-{
-  return name + ", " + std::to_string(static_cast<int>(altitude));
-}
 
 // One thread, one light.
 void CompareIntegrators(const Relief& relief, int repetitions, Table& table)
@@ -125,27 +50,16 @@ void CompareIntegrators(const Relief& relief, int repetitions, Table& table)
     rivals.Add(At("exact", altitude), all,
       [&, sun] { RunSweep(*field, Medium(*field, 0.0), sun, d.data()); });
     rivals.Add(At("default tolerance", altitude), all,
-      [&, sun] { RunSweep(*field, Medium(*field, DefaultTolerance), sun, d.data()); });
-    if (OnlyAVX2::Matters())
-    {
-      rivals.Add(At("exact, AVX2", altitude), all,
-        [&, sun]
-        {
-          const OnlyAVX2 restricted;
-          RunSweep(*field, Medium(*field, 0.0), sun, d.data());
-        });
-    }
+      [&, sun] { RunSweep(*field, Medium(*field, MarkedTolerance), sun, d.data()); });
     rivals.Add(At("reference", altitude), static_cast<double>(probe.Size()),
       [&, sun] { RunReference(*field, Medium(*field, 0.0), sun, probe, exact.data()); });
   }
   rivals.Add("lamp, exact", all, [&] { RunScene(*field, Medium(*field, 0.0), lamp, d.data()); });
   rivals.Add("lamp, default tolerance", all,
-    [&] { RunScene(*field, Medium(*field, DefaultTolerance), lamp, d.data()); });
+    [&] { RunScene(*field, Medium(*field, MarkedTolerance), lamp, d.data()); });
   rivals.Add("lamp, reference", static_cast<double>(probe.Size()),
     [&] { RunReference(*field, Medium(*field, 0.0), lamp, probe, exact.data()); });
   rivals.Add("padded copy and bounds", all, [&] { Prepare(relief); });
-  FilterRun filter(relief, { { 315.0, 45.0 } });
-  rivals.Add("whole filter, 45", all, [&] { filter.Run(1); });
 #ifdef RELIEF_HAVE_EMBREE
   const EmbreeShadows grid(relief, EmbreeShadows::Grid);
   const EmbreeShadows triangles(relief, EmbreeShadows::Triangles);
@@ -172,44 +86,45 @@ void CompareIntegrators(const Relief& relief, int repetitions, Table& table)
   const std::pair<double, double> goals[] = { { 20.0, 100.0 }, { 45.0, 150.0 } };
   for (const auto& [altitude, goal] : goals)
   {
-    table.Add(At("exact (tolerance 0) against the double reference, sun at", altitude),
-      rivals[At("reference", altitude)] / rivals[At("exact", altitude)], "x", goal, true);
-    if (OnlyAVX2::Matters())
-    {
-      table.Add(At("the same with AVX2 only", altitude),
-        rivals[At("reference", altitude)] / rivals[At("exact, AVX2", altitude)], "x", goal / 2.0,
-        true);
-    }
+    table.Add(At("d alone, tolerance 0, against the double reference", altitude),
+      rivals[At("reference", altitude)] / rivals[At("exact", altitude)], "x", goal, Table::AtLeast);
   }
 #ifdef RELIEF_HAVE_EMBREE
   for (double altitude : { 20.0, 45.0 })
   {
     const double rays =
       std::min(rivals[At("Embree, grid", altitude)], rivals[At("Embree, triangles", altitude)]);
-    table.Add(At("exact against Embree's hard shadows, without its tree, sun at", altitude),
-      rays / rivals[At("exact", altitude)], "x", altitude == 20.0 ? 6.0 : 0.0, true);
+    table.Add(
+      At("d alone, tolerance 0, against Embree's hard shadows, its tree not counted", altitude),
+      rays / rivals[At("exact", altitude)], "x", altitude == 20.0 ? 6.0 : 0.0, Table::AtLeast);
   }
 #endif
 #ifdef RELIEF_HAVE_GDAL
   const double hillshadeTime = rivals["gdaldem hillshade, 45"];
   table.Add("time of d alone, tolerance 0, in gdaldem hillshades, 45",
-    rivals["exact, 45"] / hillshadeTime, "x", 1.5, false);
+    rivals["exact, 45"] / hillshadeTime, "x", 1.5, Table::AtMost);
   table.Add("time of d alone, default tolerance, in gdaldem hillshades, 45",
-    rivals["default tolerance, 45"] / hillshadeTime, "x", 1.5, false);
-  table.Add("time of the whole filter, 8-bit colour, in gdaldem hillshades, 45",
-    rivals["whole filter, 45"] / hillshadeTime, "x", 3.0, false);
+    rivals["default tolerance, 45"] / hillshadeTime, "x", 1.5, Table::AtMost);
 #endif
   table.Add("lamp, tolerance 0, against the double reference, about 20",
-    rivals["lamp, reference"] / rivals["lamp, exact"], "x", 20.0, true);
+    rivals["lamp, reference"] / rivals["lamp, exact"], "x", 20.0, Table::AtLeast);
   table.Add("lamp, default tolerance, against the double reference, about 20",
-    rivals["lamp, reference"] / rivals["lamp, default tolerance"], "x", 20.0, true);
-  table.Add(
-    "padded copy and bounds, a sample", rivals["padded copy and bounds"], " ns", 8.0, false);
+    rivals["lamp, reference"] / rivals["lamp, default tolerance"], "x", 20.0, Table::AtLeast);
+  table.Add("padded copy and bounds, a sample", rivals["padded copy and bounds"], " ns", 8.0,
+    Table::AtMost);
+}
 
-  // Fixed steps of the same error.
+// The thesis's fixed steps of the same error as the default tolerance.
+void CompareFixedSteps(const Relief& relief, int repetitions, Table& table)
+{
+  const auto field = Prepare(relief);
+  const Probe probe = SpreadProbe(*field, 65536);
+  std::vector<float> d(relief.heights.size());
+  std::vector<double> exact(probe.rows.size() * probe.columns);
   const relief::Light sun = Sun(315.0, 20.0);
   RunReference(*field, Medium(*field, 0.0), sun, probe, exact.data());
-  RunSweep(*field, Medium(*field, DefaultTolerance), sun, d.data());
+  auto run = [&] { RunSweep(*field, Medium(*field, MarkedTolerance), sun, d.data()); };
+  const double sweep = LeastTime(static_cast<double>(d.size()), repetitions, run);
   const ErrorOfD error = Compare(probe, exact, Pick(probe, d).data());
   std::cout << "  default tolerance, 20: errors at most " << error.most << ", 99.9 % "
             << error.mostOf999 << ", rms " << error.rms << "; " << 100.0 * ShareBelowTop(*field)
@@ -230,30 +145,7 @@ void CompareIntegrators(const Relief& relief, int repetitions, Table& table)
               << found.nanoseconds << " ns a sample\n";
     table.Add("default tolerance against " + std::to_string(found.steps) + " fixed steps (" + name +
         "), 20",
-      found.nanoseconds / rivals["default tolerance, 20"], "x", 100.0, true);
-  }
-}
-
-void CompareThreads(const Relief& relief, int repetitions, Table& table)
-{
-  FilterRun filter(relief, { { 315.0, 45.0 } });
-  FilterRun suns(relief, Suns(8));
-  Contest rivals;
-  const auto all = static_cast<double>(relief.heights.size());
-  for (int threads : { 1, 2 })
-  {
-    const std::string suffix = threads == 1 ? ", 1 thread" : ", 2 threads";
-    rivals.Add(
-      "whole filter, 1 sun" + suffix, all, [&, threads] { filter.Run(threads); }, Clock::Wall);
-    rivals.Add(
-      "whole filter, 8 suns" + suffix, all, [&, threads] { suns.Run(threads); }, Clock::Wall);
-  }
-  rivals.Race(repetitions);
-  for (const char* name : { "whole filter, 1 sun", "whole filter, 8 suns" })
-  {
-    table.Add("2 threads (" + FilterRun::ThreadedBackend() + ") against 1, wall clock, " + name,
-      rivals[std::string(name) + ", 1 thread"] / rivals[std::string(name) + ", 2 threads"], "x",
-      1.8, true);
+      found.nanoseconds / sweep, "x", 100.0, Table::AtLeast);
   }
 }
 
@@ -264,7 +156,7 @@ void CompareLights(const Relief& relief, const std::vector<relief::Light>& light
   const auto field = Prepare(relief);
   std::vector<unsigned char> rgba(4 * relief.heights.size());
   relief::Scene scene;
-  scene.medium = Medium(*field, DefaultTolerance);
+  scene.medium = Medium(*field, MarkedTolerance);
   auto shade = [&](std::size_t first, std::size_t last)
   {
     scene.lights.assign(lights.begin() + static_cast<std::ptrdiff_t>(first),
@@ -290,7 +182,7 @@ void CompareLights(const Relief& relief, const std::vector<relief::Light>& light
   rivals.Race(repetitions);
   table.Add("a light among " + name + " against one alone, time",
     rivals[name + " at once, a light"] / rivals[name + " one after another, a light"], "x", 1.0,
-    false);
+    Table::AtMost);
 }
 
 std::vector<relief::Light> ManySuns(int count)
@@ -338,7 +230,7 @@ void CompareSizes(int small, int large, int repetitions, Table& table)
           for (std::size_t k = first; k < last; ++k)
           {
             RunSweep(
-              *fields[k], Medium(*fields[k], DefaultTolerance), Sun(315.0, altitude), d.data());
+              *fields[k], Medium(*fields[k], MarkedTolerance), Sun(315.0, altitude), d.data());
           }
         });
     }
@@ -347,10 +239,10 @@ void CompareSizes(int small, int large, int repetitions, Table& table)
   for (double altitude : { 10.0, 20.0 })
   {
     table.Add(At("a sample among " + std::to_string(large) + "^2 against one among " +
-                  std::to_string(small) + "^2, time, sun at",
+                  std::to_string(small) + "^2, time",
                 altitude),
       rivals[At(std::to_string(large), altitude)] / rivals[At(std::to_string(small), altitude)],
-      "x", 1.3, false);
+      "x", 1.3, Table::AtMost);
   }
 }
 }
@@ -365,18 +257,31 @@ int main(int argc, char* argv[])
             << std::setprecision(3) << MeanSlope(relief) << " degrees on average; the least of "
             << repetitions << " runs in turn\n";
   Table table;
-  CompareIntegrators(relief, repetitions, table);
-  CompareSizes(trial > 0 ? trial : 1024, trial > 0 ? 2 * trial : 8192, repetitions, table);
+  auto compare = [&](const std::string& vectors)
+  {
+    table.SetColumn(vectors);
+    std::cout << vectors << "\n";
+    CompareIntegrators(relief, repetitions, table);
+    CompareScenes(relief, repetitions, table);
+  };
+  compare(relief::SweepThickness::GetTargetName());
+  CompareThreads(relief, trial > 0 ? 1 : 15, table);
+  CompareFixedSteps(relief, repetitions, table);
+  CompareSizes(trial > 0 ? trial : 1024, trial > 0 ? 2 * trial : 16384, repetitions, table);
   const Relief many = trial > 0 ? relief : Terrain(1024, 1024, 2.0 * TerrainSpacing);
   CompareLights(many, ManySuns(64), "64 suns", trial > 0 ? 1 : 5, table);
   CompareLights(many, WhiteSky(256), "256 of a white sky", trial > 0 ? 1 : 3, table);
-  CompareThreads(relief, trial > 0 ? 1 : 15, table);
+  if (OnlyAVX2::Matters())
+  {
+    const OnlyAVX2 restricted;
+    compare(relief::SweepThickness::GetTargetName());
+  }
   std::cout << "\n";
-  table.Write(std::cout, false);
+  table.WriteText(std::cout);
   if (argc > 1)
   {
     std::ofstream file(argv[1]);
-    table.Write(file, true);
+    table.WriteCSV(file);
     file.close();
     if (!file)
     {

@@ -12,6 +12,7 @@ import shutil
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 import zlib
 
@@ -24,6 +25,19 @@ needsGdalTools = unittest.skipUnless(
     GDAL and shutil.which("gdal_translate") and shutil.which("gdalinfo"),
     "needs GDAL and the tools of gdal-bin",
 )
+
+
+def waitForHandler(process, number, seconds=120):
+    """Until a process that has been started handles a signal: before that it would just die of it."""
+    end = time.monotonic() + seconds
+    while True:
+        with open(f"/proc/{process.pid}/status") as stream:
+            caught = next(line for line in stream if line.startswith("SigCgt:"))
+        if int(caught.split()[1], 16) >> (number - 1) & 1:
+            return
+        assert process.poll() is None, f"it ended with {process.returncode}"
+        assert time.monotonic() < end, "it does not handle the signal"
+        time.sleep(0.01)
 
 
 def srgb(linear):
@@ -113,8 +127,8 @@ class Case(unittest.TestCase):
         return lines[0]
 
     def shade(self, *words):
-        """Shades into a PNG and returns the picture; the first word is the input."""
-        self.good(words[0], "shaded.png", *words[1:])
+        """Shades into a PNG of four components and returns it; the first word is the input."""
+        self.good(words[0], "shaded.png", "--bands", "rgba", *words[1:])
         return Picture(self.path("shaded.png"))
 
     def assertColour(self, linear, *words, picture=None):
@@ -124,8 +138,8 @@ class Case(unittest.TestCase):
             self.assertLessEqual(abs(got - wanted), 1, (picture[4, 4], expected))
 
     def statistics(self, *words):
-        """The statistics of a run as a dictionary."""
-        output = self.good(words[0], "statistics.png", "--statistics", *words[1:])
+        """The statistics of a run as a dictionary, without what is told of height scales."""
+        output = self.good(words[0], "statistics.png", "--statistics", "--quiet", *words[1:])
         return dict(line.split(": ", 1) for line in output.splitlines())
 
     def grid(self, heights, name="grid.asc", nodata=None, size=1, corner=(0, 0), kind="corner"):
@@ -173,6 +187,63 @@ class Case(unittest.TestCase):
         with open(self.path(name), "wb") as stream:
             stream.write(b"P6 %d %d 255\n" % (len(rows[0]), len(rows)))
             stream.write(bytes(c for row in rows for colour in row for c in colour))
+        return name
+
+    def plainTiff(self, rows, name, samples=1, tags=(), order="<"):
+        """Writes an 8-bit TIFF without a georeference; the rows begin with the stored first one.
+
+        tags: more entries, (tag, values of 16 bits).
+        """
+        width, height = len(rows[0]) // samples, len(rows)
+        data = b"".join(bytes(row) for row in rows)
+        entries = {
+            256: [width], 257: [height], 258: [8] * samples, 259: [1], 262: [2 if samples > 2 else 1],
+            273: [8], 277: [samples], 278: [height], 279: [len(data)], **dict(tags),
+        }
+        extra, directory = b"", struct.pack(order + "H", len(entries))
+        begin = 8 + len(data) + len(data) % 2
+        behind = begin + 2 + 12 * len(entries) + 4
+        for tag, values in sorted(entries.items()):
+            packed = struct.pack(order + "%dH" % len(values), *values)
+            if len(packed) > 4:
+                place = struct.pack(order + "I", behind + len(extra))
+                extra += packed
+                packed = place
+            directory += struct.pack(order + "HHI", tag, 3, len(values)) + packed.ljust(4, b"\0")
+        mark = b"II*\0" if order == "<" else b"MM\0*"
+        with open(self.path(name), "wb") as stream:
+            stream.write(mark + struct.pack(order + "I", begin) + data.ljust(begin - 8, b"\0"))
+            stream.write(directory + bytes(4) + extra)
+        return name
+
+    def exr(self, channels, name):
+        """Writes an OpenEXR file of floats, uncompressed; {name: rows}, which begin with the upper one."""
+        names = sorted(channels)
+        rows = channels[names[0]]
+        width, height = len(rows[0]), len(rows)
+
+        def attribute(key, kind, data):
+            return b"%s\0%s\0" % (key.encode(), kind.encode()) + struct.pack("<i", len(data)) + data
+
+        window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+        listed = b"".join(n.encode() + struct.pack("<x4i", 2, 0, 1, 1) for n in names) + b"\0"
+        header = struct.pack("<2i", 20000630, 2) + attribute("channels", "chlist", listed)
+        header += attribute("compression", "compression", b"\0")
+        header += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
+        header += attribute("lineOrder", "lineOrder", b"\0")
+        header += attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+        header += attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0))
+        header += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+        line = 4 * width * len(names)
+        begin = len(header) + 8 * height
+        offsets = struct.pack("<%dQ" % height, *(begin + y * (8 + line) for y in range(height)))
+        body = b"".join(
+            struct.pack("<2i", y, line)
+            + b"".join(struct.pack("<%df" % width, *channels[n][y]) for n in names)
+            for y in range(height)
+        )
+        with open(self.path(name), "wb") as stream:
+            stream.write(header + offsets + body)
         return name
 
     def tool(self, *words):

@@ -172,7 +172,7 @@ class Tints(Case):
     def test_values_are_the_files_own(self):
         self.grid([[100, 200], [100, 200]], "g.asc", nodata=-1)
         self.write("100 red\n200 blue\n")
-        for scale in ("0", "0.001"):
+        for scale in ("0", "0.00001"):
             picture = self.shade("g.asc", "--sun", "0,90", "--height-scale", scale, "--tint",
                                  "tint.txt")
             self.assertEqual((picture[0, 0][:3], picture[1, 0][:3]), (RED, BLUE))
@@ -195,6 +195,61 @@ class Tints(Case):
         self.assertEqual((picture[0, 0][:3], picture[2, 0][:3]), (BLUE, RED))
         self.assertGreater(min(picture[1, 0][0], picture[1, 0][2]), 100)
 
+    def tints(self, text, heights, name="tint.txt", *words):
+        """The colours of these heights."""
+        self.grid([heights] * 2, "g.asc")
+        self.write(text, name)
+        picture = self.shade("g.asc", *FLAT, "--tint", name, "--diffuse", "0,0,0", *words)
+        return [picture[x, 0][:3] for x in range(len(heights))]
+
+    def assertTints(self, expected, got):
+        for wanted, color in zip(expected, got):
+            for a, b in zip(wanted, color):
+                self.assertLessEqual(abs(a - b), 1, (expected, got))
+
+    def test_tables_of_qgis(self):
+        comment = "# QGIS Generated Color Map Export File\n"
+        # Labels are any text; alpha 128 over black is half of the light.
+        lines = "400,0,0,255,255,below 400, # wet\n500,0,255,0,255,500 m\n700,255,0,0,128,> 700\n"
+        linear = [(0, 0, 255), (0, 128, 128), (0, 255, 0), (188, 0, 0), (188, 0, 0)]
+        heights = [400, 450, 500, 700, 900]
+        for head in (comment, comment + "INTERPOLATION:INTERPOLATED\n",
+                     "\ufeff" + comment, "INTERPOLATION:INTERPOLATED\n"):
+            self.assertTints(linear, self.tints(head + lines, heights))
+        black = (0, 0, 0)
+        heights = [390, 400, 400.1, 500, 501, 700, 701]
+        self.assertTints([BLUE, BLUE, GREEN, GREEN, (188, 0, 0), (188, 0, 0), black],
+                         self.tints(comment + "INTERPOLATION:DISCRETE\n" + lines, heights))
+        self.assertTints([BLUE, BLUE, RED, RED, RED, RED, RED],
+                         self.tints(comment + "INTERPOLATION:DISCRETE\n400,0,0,255,255,a\n"
+                                    "inf,255,0,0,255,> 400\n", heights))
+        self.assertTints([black, BLUE, black, GREEN, black, (188, 0, 0), black],
+                         self.tints(comment + "INTERPOLATION:EXACT\n" + lines, heights))
+        # A height of single precision is that of the table.
+        self.assertTints([RED, black],
+                         self.tints("INTERPOLATION:EXACT\n0.1,255,0,0,255,x\n", [0.1, 0.10001]))
+
+    def test_tables_of_gmt(self):
+        rgb = "# COLOR_MODEL = RGB\n"
+        text = rgb + ("400 0 0 255 500 0 255 0\n500 255 255 0 600 255 0 0 U ; upper\n"
+                      "B 0 0 0\nF white\nN 128 128 128\n")
+        heights = [399, 400, 450, 499.999, 500, 550, 600, 601]
+        wanted = [(0, 0, 0), BLUE, (0, 128, 128), GREEN, (255, 255, 0), (255, 128, 0), RED, WHITE]
+        self.assertTints(wanted, self.tints(text, heights))
+        slashes = ("400 0/0/255 500 0/255/0\n500 yellow 600 #ff0000 L\nB black\nF 255\nN 128\n")
+        self.assertTints(wanted, self.tints(slashes, heights))
+        self.assertTints(wanted, self.tints("# COLOR_MODEL = HSV\n400 240 1 1 500 120 1 1\n"
+                                            "500 60-1-1 600 0-1-1\nB 0 0 0\nF white\n", heights))
+        # Segments of one colour each are steps; beyond the last ones their colours go on.
+        steps = "0 red 5 red\n5 blue 10 blue\n"
+        self.assertTints([RED, RED, BLUE, BLUE], self.tints(steps, [-1, 4.999, 5, 11], "steps.cpt"))
+        # Between the colours the hue turns, or it does not.
+        self.assertTints([RED, (255, 255, 0), GREEN],
+                         self.tints("# COLOR_MODEL = +HSV\n0 0-1-1 2 120-1-1\n", [0, 1, 2]))
+        self.assertTints([RED, (128, 128, 0), GREEN],
+                         self.tints("# COLOR_MODEL = HSV\n0 0-1-1 2 120-1-1\n", [0, 1, 2]))
+        self.assertTints([(188, 0, 0)] * 2, self.tints("0 red@50 2 red@50\n", [0, 2], "t.cpt"))
+
     def test_textures_lie_over_tints(self):
         self.plane()
         self.write("5 green\n")
@@ -214,6 +269,20 @@ class Tints(Case):
         ):
             self.write(text)
             self.bad(1, ["tint.txt", fragment], "plane.asc", "o.png", "--tint", "tint.txt")
+        for text, fragments in (
+            ("INTERPOLATION:CUBIC\n0,1,2,3,4,x\n", ["line 1", "DISCRETE"]),
+            ("INTERPOLATION:EXACT\ninf,1,2,3,4,x\n", ["line 2", "'inf'"]),
+            ("# COLOR_MODEL = CMYK\n0 1/2/3/4 1 1/2/3/4\n", ["line 1", "'cmyk'"]),
+            ("# COLOR_MODEL = RGB\n0 red\n", ["line 2", "two heights"]),
+            ("# COLOR_MODEL = RGB\n0 red 1 blue\n0.5 red 2 blue\n", ["line 3", "rise"]),
+            ("# COLOR_MODEL = RGB\n0 1/2 1 blue\n", ["line 2", "'1/2'"]),
+            ("# COLOR_MODEL = RGB\n0 1/2/256 1 blue\n", ["line 2", "'256'"]),
+            ("# COLOR_MODEL = RGB\nB 0 0 0\n", ["no colours"]),
+        ):
+            self.write(text)
+            self.bad(1, ["tint.txt", *fragments], "plane.asc", "o.png", "--tint", "tint.txt")
+        self.write("0 " + "x" * 5000)
+        self.assertLess(len(self.bad(1, "line 1", "plane.asc", "o.png", "--tint", "tint.txt")), 200)
         self.assertFalse(os.path.exists(self.path("o.png")))
 
 

@@ -50,10 +50,11 @@ class Memory(Case):
             self.good("hills.asc", "o.png", "--memory-limit", limit)
 
     def test_every_file(self):
-        fragments = ["bomb.png: ", "MiB of memory are needed, --memory-limit allows "]
-        self.bad(1, fragments, "bomb.png", "o.png")
+        # OpenImageIO 3.1 has a limit of its own.
+        refused = "MiB of memory are needed, --memory-limit allows |MB exceeds the [0-9]+ MB limit"
+        self.assertRegex(self.bad(1, "bomb.png: ", "bomb.png", "o.png"), refused)
         for option in ("--mask", "--texture", "--base-texture", "--specular-texture", "--env"):
-            self.bad(1, fragments, "hills.asc", "o.png", option, "bomb.png")
+            self.assertRegex(self.bad(1, "bomb.png: ", "hills.asc", "o.png", option, "bomb.png"), refused)
         self.assertFalse(os.path.exists(self.path("o.png")))
 
     @needsGdalTools
@@ -187,16 +188,21 @@ class Outputs(Case):
         if os.geteuid() != 0 or subprocess.run(mount, capture_output=True).returncode != 0:
             self.skipTest("no file system can be mounted here")
         self.addCleanup(subprocess.run, ["umount", disk], check=True)
-        self.grid([[(x * y * 7919) % 1009 for x in range(300)] for y in range(300)], "rough.asc")
-        for name in ("o.exr", "o.tif", "o.png"):
-            with open(os.path.join(disk, name), "w") as stream:
-                stream.write("before")
-        for name in ("o.exr", "o.tif", "o.png"):
-            path = os.path.join(disk, name)
-            self.bad(1, name, "rough.asc", path, "--save-scene", os.path.join(disk, "s.json"))
-            with open(path) as stream:
-                self.assertEqual(stream.read(), "before")
-            self.assertEqual(sorted(os.listdir(disk)), ["o.exr", "o.png", "o.tif"])
+        self.grid([[(x * y * 7919) % 1009 for x in range(300)] for y in range(300)], "rough.asc", size=90)
+        # Messages have to shorten the longer name, which must not keep them from saying it.
+        for folder in (os.path.join(disk, "d"), os.path.join(disk, "d" * 150)):
+            os.mkdir(folder)
+            for name in ("o.exr", "o.tif", "o.png"):
+                with open(os.path.join(folder, name), "w") as stream:
+                    stream.write("before")
+            for name in ("o.exr", "o.tif", "o.png"):
+                path = os.path.join(folder, name)
+                said = self.bad(1, name + ": ", "rough.asc", path,
+                                "--save-scene", os.path.join(folder, "s.json"))
+                self.assertLessEqual(len(said), 220)
+                with open(path) as stream:
+                    self.assertEqual(stream.read(), "before")
+                self.assertEqual(sorted(os.listdir(folder)), ["o.exr", "o.png", "o.tif"])
 
     def start(self, *words):
         return subprocess.Popen(
@@ -206,7 +212,7 @@ class Outputs(Case):
     def waitForStaged(self, process, count):
         """Until so many outputs have passed their trial."""
         end = time.monotonic() + 60
-        while len([n for n in os.listdir(self.folder) if n.startswith(".reliefshade-")]) < count:
+        while len([n for n in os.listdir(self.folder) if n.endswith(".tmp" + os.path.splitext(n)[1])]) < count:
             self.assertIsNone(process.poll())
             self.assertLess(time.monotonic(), end)
             time.sleep(0.05)

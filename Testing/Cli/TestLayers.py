@@ -106,15 +106,29 @@ class Layers(Case):
                   "--height-scale", "2")
         self.assertEqual(self.header("turned.exr")["geo:transform"], header["geo:transform"])
         self.assertEqual(self.samples("turned.exr", ALL), self.samples("comp.exr", ALL))
-        self.good(self.png(rows, "plain.png"), "--layers", "plain.exr")
+        self.good(self.png(rows, "plain.png"), "--quiet", "--layers", "plain.exr")
         self.assertNotIn("geo:transform", self.header("plain.exr"))
+
+    def test_environment(self):
+        self.png([[255, 40], [90, 10]], "sky.png")
+        self.good("hills.asc", "--layers", "comp.exr", "--env", "sky.png")
+        header = self.header("comp.exr")
+        self.assertEqual(header["relief:environment:image"], '"file"')
+        self.assertEqual(header["relief:environment:file"], '"sky.png"')
+        # The mirrored picture is in no file.
+        self.good("hills.asc", "--layers", "comp.exr", "--env", "sky.png", "--env-mirror")
+        header = self.header("comp.exr")
+        self.assertEqual(header["relief:environment:image"], '"userImage"')
+        self.assertNotIn("relief:environment:file", header)
+        self.good("hills.asc", "--layers", "comp.exr")
+        self.assertNotIn("relief:environment:image", self.header("comp.exr"))
 
     def test_refusals(self):
         self.bad(2, "OUTPUT", "hills.asc")
         self.bad(2, "OUTPUT", "hills.asc", "--layers", "normals")
         self.bad(2, ["--layers", "'comp.tif'", ".exr"], "hills.asc", "--layers", "comp.tif")
         self.bad(2, ["--layers", "'a.exr'"], "hills.asc", "o.png", "--layers", "a.exr,normals")
-        self.bad(2, ["--layers", "'o.exr'"], "hills.asc", "o.exr", "--layers", "o.exr")
+        self.bad(2, ["--layers", "o.exr: "], "hills.asc", "o.exr", "--layers", "o.exr")
         self.bad(2, ["--layers", "./o.exr"], "hills.asc", "o.exr", "--layers", "./o.exr")
         self.bad(1, ["none/a.exr", "directory"], "hills.asc", "--layers", "none/a.exr")
         os.mkdir(self.path("folder.exr"))

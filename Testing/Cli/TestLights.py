@@ -22,7 +22,7 @@ class Lights(Case):
 
     def test_presets(self):
         self.assertColour([0.5] * 3, "plane.asc", "--preset", "multidirectional")
-        self.assertColour([1] * 3, "plane.asc", "--preset", "sky-dome")
+        self.assertColour([0.62] * 3, "plane.asc", "--preset", "sky-dome")
         sun = self.shade("plane.asc", "--preset", "sun-and-sky", "--env-intensity", "0")[4, 4]
         both = self.shade("plane.asc", "--preset", "sun-and-sky")[4, 4]
         self.assertGreater(sun[0], sun[2])  # the sun is reddened, the sky blue
@@ -33,7 +33,7 @@ class Lights(Case):
 
     def test_presets_add_to_suns(self):
         words = ("--diffuse", "0.25,0.25,0.25", "--sun", "0,90,0.5")
-        self.assertColour([0.375] * 3, "plane.asc", "--preset", "sky-dome", *words)
+        self.assertColour([0.28] * 3, "plane.asc", "--preset", "sky-dome", *words)
         self.assertColour([0.25] * 3, "plane.asc", *words, "--preset", "multidirectional")
 
     def test_environment_file(self):
@@ -78,6 +78,16 @@ class Lights(Case):
         self.assertColour([1] * 3, "plane.asc", *words, "solid-angle")
         self.assertColour([1] * 3, "plane.asc", *words, "importance")
 
+    def test_radius(self):
+        # Lamps on a small sphere shine from their places, those of a large one as if from everywhere.
+        hills, sky = self.hills(), ("--preset", "sky-dome")
+        far = self.shade(hills, *sky)
+        self.assertEqual(far, self.shade(hills, *sky, "--env-radius", "infinite"))
+        self.assertNotEqual(far, self.shade(hills, *sky, "--env-radius", "20"))
+        self.shade(hills, *sky, "--env-radius", "20", "--save-scene", "near.json")
+        self.assertEqual(self.shade(hills, "--scene", "near.json"),
+                         self.shade(hills, *sky, "--env-radius", "20"))
+
     def test_sun_diameter(self):
         traced = lambda *words: int(self.statistics("plane.asc", *words)["lights-traced"])
         self.assertEqual(traced("--sun-diameter", "0"), 1)
@@ -85,6 +95,8 @@ class Lights(Case):
         self.assertEqual(traced("--sun", "0,40", "--sun-diameter", "5", "--sun", "90,40"), 32)
         self.assertEqual(
             traced("--point", "4,4,9", "--sun-diameter", "5", "--preset", "multidirectional"), 65)
+        self.assertEqual(traced("--sun-diameter", "5", "--sun-samples", "4"), 4)
+        self.assertEqual(traced("--sun-samples", "4"), 1)
         # Behind a wall, farther away, the shadow's edge has more than two shades.
         heights = [[20 if x < 4 else 0 for x in range(60)] for _ in range(8)]
         self.grid(heights, "wall.asc")
@@ -99,7 +111,7 @@ class Lights(Case):
         plane = "plane.asc"
         for option, value in (("--env-samples", "8"), ("--env-sampling", "uniform"),
                               ("--env-rotation", "1"), ("--env-tilt", "1"),
-                              ("--env-intensity", "1")):
+                              ("--env-intensity", "1"), ("--env-radius", "1")):
             self.bad(2, [option, "--env"], plane, "o.png", option, value)
         self.bad(2, ["--env-mirror", "--env"], plane, "o.png", "--env-mirror")
         sky = (plane, "o.png", "--preset", "sky-dome")

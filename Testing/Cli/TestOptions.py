@@ -5,6 +5,8 @@ import math
 import os
 import pty
 import re
+import shlex
+import shutil
 import subprocess
 import unittest
 
@@ -12,35 +14,86 @@ from Reliefshade import JACKSBORO, PROGRAM, Case, Picture, needsGdal, needsGdalT
 
 # An option that is new in the help belongs here, and into a test.
 OPTIONS = """
-    --attenuation --band --base --base-texture --degrees --density --depth --diffuse --env
-    --env-intensity --env-mirror --env-rotation --env-samples --env-sampling --env-tilt --floor
-    --height-scale --help --integrator --kf --ks --layers --mask --memory-limit --nodata --offset --point
-    --preset --quiet --save-scene --scatter-power --scatter-range --scene --spacing --specular
-    --specular-power --specular-range --specular-texture --statistics --steps --sun --sun-diameter
-    --texture --threads --tint --tolerance --type --version
+    --accuracy-report --attenuation --band --bands --base --base-texture --channel --co --compress --degrees --density --depth --diffuse --encoding --env
+    --env-intensity --env-mirror --env-radius --env-rotation --env-samples --env-sampling --env-tilt --floor
+    --exposure --format --height-scale --help --help-all --integrator --kf --ks --layers --mask --memory-limit --nodata
+    --nodata-out
+    --offset --part --point --preset --quiet --save-scene --scatter-power --scatter-range --scene
+    --smooth-steps --spacing --specular --specular-power --specular-range --specular-texture
+    --statistics --steps --sun --sun-diameter --sun-samples --texture --threads --tint --tolerance --type --verify --version
 """.split()
 WITHOUT_DEFAULT = """
-    --base-texture --degrees --env --env-mirror --help --layers --mask --point --preset --quiet
-    --save-scene --scene --specular-texture --statistics --sun --texture --tint --version
+    --accuracy-report --base-texture --co --degrees --env --env-mirror --help --help-all --layers --mask --point --preset --quiet
+    --save-scene --scene --smooth-steps --specular-texture --statistics --sun --texture --tint --version
 """.split()
 
 
 class Help(Case):
-    def test_help_lists_every_option_with_its_default(self):
+    def options(self, text):
+        """Each option's entry, with the blanks of one line."""
+        entries = re.split(r"\n(?= +-)|\n\n", text)
+        found = [re.match(r" +(?:-\w, *)?(--[a-z-]+)", entry) for entry in entries]
+        return {match.group(1): " ".join(entry.split())
+                for match, entry in zip(found, entries) if match}
+
+    def test_help_lists_every_option_in_short(self):
         text = self.good("--help")
-        listed = re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", text, re.MULTILINE)
+        self.assertEqual(sorted(self.options(text)), sorted(OPTIONS))
+        self.assertLessEqual(max(map(len, text.splitlines())), 80)
+        self.assertLess(len(text.splitlines()), 140)
+        for group in text.split("\n\n"):
+            self.assertLess(len(self.options(group)), 14, group)
+        for name, entry in self.options(text).items():
+            self.assertRegex(entry, r"[a-z]{3}", name)
+            self.assertLess(len(entry), 180, entry)
+        self.assertIn("[exact]", self.options(text)["--integrator"])
+        self.assertIn("--help-all", text.splitlines()[-1])
+
+    def test_long_help_has_every_default(self):
+        text = self.good("--help-all")
+        listed = self.options(text)
         self.assertEqual(sorted(listed), sorted(OPTIONS))
-        entries = re.split(r"\n(?=  -)|\n\n", text)
         for name in set(listed) - set(WITHOUT_DEFAULT):
-            (entry,) = [entry for entry in entries if entry.startswith("  %s " % name)]
-            self.assertIn("Default: ", " ".join(entry.split()))
+            self.assertIn("Default: ", listed[name])
         for part in ("Exit codes", "Coordinates", "Pictures", "metres", "Usage: reliefshade INPUT OUTPUT"):
             self.assertIn(part, text)
         self.assertLessEqual(max(map(len, text.splitlines())), 100)
 
+    @needsGdal
+    def test_examples_of_the_help(self):
+        text = self.good("--help")
+        self.assertLess(text.index("Examples"), 60)
+        examples = re.findall(r"^  reliefshade (.*)$", text, re.MULTILINE)
+        self.assertEqual(len(examples), 5)
+        shutil.copy(JACKSBORO, self.path("terrain.tif"))
+        self.hills("grid.asc")
+        self.good("terrain.tif", "orthophoto.tif")
+        self.png([[x * y for x in range(16)] for y in range(12)], "relief.png")
+        for example in examples:
+            words = example.split()
+            self.good(*words)
+            self.assertGreater(os.path.getsize(self.path(words[1])), 100)
+
     def test_short_help_and_version(self):
         self.assertEqual(self.good("-h"), self.good("--help"))
         self.assertRegex(self.good("--version"), r"^reliefshade \d+\.\d+\.\d+\n$")
+
+    @unittest.skipUnless(shutil.which("bash"), "needs bash")
+    def test_completion(self):
+        script = os.path.join(os.path.dirname(__file__),
+                              "../../Module/Programs/share/reliefshade.bash")
+
+        def completed(*words):
+            line = ". %s; COMP_WORDS=(%s); COMP_CWORD=%d; _reliefshade %s; echo ${COMPREPLY[@]}" % (
+                shlex.quote(script), " ".join(map(shlex.quote, [PROGRAM, *words])), len(words),
+                shlex.quote(PROGRAM))
+            result = subprocess.run(["bash", "-c", line], capture_output=True, text=True)
+            return result.stdout.split()
+
+        self.assertEqual(completed("--help-"), ["--help-all"])
+        self.assertEqual(sorted(set(completed("--")) & set(OPTIONS)), sorted(OPTIONS))
+        self.assertEqual(completed("--attenuation", ""), ["reciprocal", "exponential"])
+        self.assertEqual(completed("--integrator", "f"), ["fixed-step"])
 
 
 class Look(Case):
@@ -53,18 +106,17 @@ class Look(Case):
         self.assertColour([0.2, 0.2, 0.2], plane, "--sun", "0,90,0.2")
         self.assertColour([0.2, 0.1, 0.4], plane, "--sun", "0,90,0.4,0.5,0.25,1")
         self.assertColour([0.7, 0.7, 0.7], plane, "--sun", "0,90,0.2", "--sun=-90,30")
-        self.assertColour([math.sqrt(0.5)] * 3, plane)  # the sun of a scene without lights
+        self.assertColour([0.95 * math.sqrt(0.5)] * 3, plane)  # the sun of a scene without lights
 
     def test_sun_azimuth_is_clockwise_from_north(self):
-        peak = [[0] * 9 for _ in range(9)]
-        peak[4][4] = 3
-        self.grid(peak, "peak.asc")
+        # A pyramid with slopes of 45 degrees.
+        self.grid([[4 - max(abs(x - 4), abs(y - 4)) for x in range(9)] for y in range(9)], "peak.asc")
         picture = self.shade("peak.asc", "--sun", "90,40", "--depth", "0.2")
-        self.assertGreater(picture[5, 4][0], 200)  # lit from the east (the right)
-        self.assertLess(picture[3, 4][0], 200)
+        self.assertGreater(picture[6, 4][0], 200)  # lit from the east (the right)
+        self.assertLess(picture[2, 4][0], 200)
         picture = self.shade("peak.asc", "--sun", "0,40", "--depth", "0.2")
-        self.assertGreater(picture[4, 3][0], 200)  # lit from the north (the top)
-        self.assertLess(picture[4, 5][0], 200)
+        self.assertGreater(picture[4, 2][0], 200)  # lit from the north (the top)
+        self.assertLess(picture[4, 6][0], 200)
 
     def test_point(self):
         # Over the sample that is tested, row 4 from the top: the centre of the lowest row is at 0.5.
@@ -118,6 +170,8 @@ class Look(Case):
     def test_offset_height_scale_and_spacing(self):
         ramp, above = self.ramp(), ("--sun", "0,90", "--depth", "0.5")
         self.assertColour([1] * 3, ramp, *above, "--offset", "vertical")
+        self.assertColour([math.sqrt(0.5)] * 3, ramp, *above, "--offset", "tangent-plane")
+        self.assertColour([math.sqrt(0.5)] * 3, ramp, *above)
         normal = above + ("--offset", "normal")
         self.assertColour([math.sqrt(0.5)] * 3, ramp, *normal)
         self.assertColour([math.sqrt(0.2)] * 3, ramp, *normal, "--height-scale", "2")
@@ -151,7 +205,7 @@ class Look(Case):
         with open(self.path("rgb.ppm"), "wb") as stream:
             stream.write(b"P6 8 8 255\n" + bytes(v for _ in range(8) for x in range(8)
                                                  for v in (5, x, 0)))
-        words = ("--sun", "0,90", "--offset", "normal", "--depth", "0.5")
+        words = ("--sun", "0,90", "--offset", "normal", "--depth", "0.5", "--height-scale", "1")
         self.assertColour([1] * 3, "rgb.ppm", "--band", "1", *words)
         self.assertColour([math.sqrt(0.5)] * 3, "rgb.ppm", "--band", "2", *words)
 
@@ -212,12 +266,12 @@ class Output(Case):
         plane = self.plane()
         types = lambda name: [band["type"] for band in self.info(name)["bands"]]
         self.good(plane, "out.tif", "--sun", "0,30")
-        self.assertEqual(types("out.tif"), ["Byte"] * 4)
+        self.assertEqual(types("out.tif"), ["Byte"])
         self.assertEqual(self.values("out.tif")[0], srgb(0.5))
         self.good(plane, "out.tif", "--sun", "0,30", "--type", "float")
-        self.assertEqual(types("out.tif"), ["Float32"] * 4)
+        self.assertEqual(types("out.tif"), ["Float32"])
         self.assertAlmostEqual(self.values("out.tif")[0], 0.5, places=5)
-        self.good(plane, "out.tif", "--type", "uint8")
+        self.good(plane, "out.tif", "--type", "uint8", "--bands", "rgba")
         self.assertEqual(types("out.tif"), ["Byte"] * 4)
 
     def test_layers_are_files_beside_the_output(self):

@@ -2,6 +2,8 @@
 """reliefshade takes over what rasters say about themselves, and keeps it."""
 
 import math
+import os
+import struct
 import unittest
 
 from Reliefshade import JACKSBORO, Case, Picture, needsGdal, needsGdalTools, srgb
@@ -24,6 +26,37 @@ def metres(latitude, a, f1):
     return math.radians(point(latitude)[0]), math.dist(south, north) / 1e-3
 
 
+def netcdf(path, axes, values):
+    """Writes a classic NetCDF file: axes by name as values and unit, and a variable z over them."""
+
+    def text(words):
+        data = words.encode()
+        return struct.pack(">i", len(data)) + data + b"\0" * (-len(data) % 4)
+
+    names = list(axes)
+    shape = names[::-1]  # latitude varies slowest
+    attributes = {name: text("units") + struct.pack(">i", 2) + text(axes[name][1]) for name in axes}
+    blocks = [struct.pack(">%dd" % len(axes[name][0]), *axes[name][0]) for name in names]
+    blocks.append(struct.pack(">%df" % sum(map(len, values)), *sum(values, [])))
+
+    def header(begin):
+        out = b"CDF\1" + struct.pack(">iii", 0, 10, len(names))
+        out += b"".join(text(name) + struct.pack(">i", len(axes[name][0])) for name in names)
+        out += struct.pack(">iiii", 0, 0, 11, len(names) + 1)
+        for k, block in enumerate(blocks):
+            own = k < len(names)
+            ids = [k] if own else [names.index(name) for name in shape]
+            out += text(names[k] if own else "z") + struct.pack(">i", len(ids))
+            out += struct.pack(">%di" % len(ids), *ids)
+            out += struct.pack(">ii", 12, 1) + attributes[names[k]] if own else bytes(8)
+            out += struct.pack(">iii", 6 if own else 5, len(block), begin)
+            begin += len(block)
+        return out
+
+    with open(path, "wb") as stream:
+        stream.write(header(len(header(0))) + b"".join(blocks))
+
+
 class Georeference(Case):
     @needsGdalTools
     def test_geotiff_keeps_transform_reference_system_and_nodata(self):
@@ -35,11 +68,13 @@ class Georeference(Case):
         self.assertEqual(after["coordinateSystem"]["wkt"], before["coordinateSystem"]["wkt"])
         self.assertEqual(after["size"], before["size"])
         interpretations = [band["colorInterpretation"] for band in after["bands"]]
-        self.assertEqual(interpretations, ["Red", "Green", "Blue", "Alpha"])
-        heights, alpha = self.values("in.tif"), self.values("out.tif", 4)
+        self.assertEqual(interpretations, ["Gray", "Alpha"])
+        heights, alpha = self.values("in.tif"), self.values("out.tif", 2)
         self.assertIn(0, heights)
         self.assertEqual([a == 0 for a in alpha], [h == 0 for h in heights])
-        self.assertEqual(before["metadata"][""], after["metadata"][""])  # area or point
+        said = {name: text for name, text in after["metadata"][""].items()
+                if name != "TIFFTAG_SOFTWARE" and not name.startswith("RELIEF_")}
+        self.assertEqual(before["metadata"][""], said)  # area or point
 
     @needsGdalTools
     def test_pixel_is_point_is_kept(self):
@@ -89,7 +124,7 @@ class Georeference(Case):
 
     @needsGdalTools
     def test_degrees_name_the_reference_system_of_the_output(self):
-        self.good(self.hills(size=0.01, corner=(10, 60)), "out.tif", "--degrees")
+        self.good(self.hills(size=0.01, corner=(10, 60)), "out.tif", "--degrees", "--quiet")
         self.assertIn('ID["EPSG",4326]', self.info("out.tif")["coordinateSystem"]["wkt"])
         self.tiff("hills.asc", "utm.tif", "-a_srs", "EPSG:32611")
         self.bad(1, ["utm.tif", "--degrees"], "utm.tif", "out.png", "--degrees")
@@ -123,14 +158,145 @@ class Georeference(Case):
             found = self.statistics("in.vrt", "--height-scale", "2")
             self.assertAlmostEqual(float(found["height-scale"]), 2 * scale, places=8)
 
+    def vrt(self, transform, name="in.vrt", source="hills.asc", size=(16, 12)):
+        """A raster of the source's samples at another place."""
+        where = "<SRS>EPSG:32632</SRS><GeoTransform>%s</GeoTransform>" % ", ".join(
+            "%.17g" % number for number in transform
+        )
+        with open(self.path(name), "w") as stream:
+            stream.write(VRT % (*size, where, "", source))
+        return name
+
     @needsGdalTools
-    def test_turned_rasters_are_refused(self):
+    def test_sheared_rasters_are_refused(self):
         self.hills()
-        for transform in ("0, 1, 0.1, 9, 0, -1", "0, 1, 0, 9, 0.1, -1", "9, -1, 0, 9, 0, -1"):
-            with open(self.path("in.vrt"), "w") as stream:
-                where = "<GeoTransform>%s</GeoTransform>" % transform
-                stream.write(VRT % (16, 12, where, "", "hills.asc"))
-            self.bad(1, ["in.vrt", "gdalwarp"], "in.vrt", "out.png")
+        for transform in ((0, 1, 0.1, 9, 0, -1), (0, 1, 0, 9, 0.1, -1), (0, 1, 0.2, 9, 0.2, 1)):
+            self.bad(1, ["in.vrt", "gdalwarp -dstnodata"], self.vrt(transform), "out.png")
+
+    @needsGdalTools
+    def test_turned_rasters_have_the_light_of_the_map(self):
+        # Turned by so many degrees clockwise, in samples of 10 x 10.
+        self.hills()
+        straight = self.vrt((500000, 10, 0, 5000000, 0, -10), "straight.vrt")
+        for turn in (20, 90, 180, -60):
+            c, s = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+            turned = self.vrt((500000, 10 * c, -10 * s, 5000000, -10 * s, -10 * c))
+            self.assertAlike(self.shade(straight, "--sun", "%g,25" % (300 - turn)),
+                             self.shade(turned, "--sun", "300,25"))
+            # A lamp at the middle of the sample in the fourth column of the fifth row.
+            lamp = (500000 + 35 * c - 45 * s, 5000000 - 35 * s - 45 * c)
+            self.assertAlike(self.shade(straight, "--point", "500035,4999955,60"),
+                             self.shade(turned, "--point", "%.9g,%.9g,60" % lamp))
+            self.good(turned, "out.tif")
+            for got, wanted in zip(self.info("out.tif")["geoTransform"],
+                                   self.info(turned)["geoTransform"]):
+                self.assertAlmostEqual(got, wanted, places=6)
+        # Turned by rounding only.
+        tiny = self.vrt((500000, 10, 1e-13, 5000000, -1e-13, -10), "tiny.vrt")
+        self.assertEqual(self.shade(straight), self.shade(tiny))
+        # Other numbers for the samples' size may not shear it.
+        self.shade(turned, "--spacing", "5")
+        self.bad(1, ["in.vrt", "proportion"], turned, "out.png", "--spacing", "5,6")
+
+    @needsGdalTools
+    def test_textures_on_turned_heights(self):
+        self.plane(width=12)
+        c, s = math.cos(math.radians(30)), math.sin(math.radians(30))
+        colours = [[(20 * x, 20 * y, 99) for x in range(12)] for y in range(12)]
+        self.ppm(colours, "colours.ppm")
+        whole = (500000, 10, 0, 5000000, 0, -10)
+        turned = (500000, 10 * c, -10 * s, 5000000, -10 * s, -10 * c)
+        words = ("--texture", "colours.tif", "--diffuse", "0,0,0")
+        pictures = []
+        for place in (whole, turned):
+            heights = self.vrt(place, source="plane.asc", size=(12, 12))
+            self.tool("gdal_translate", "-q", "-of", "VRT", "-a_srs", "EPSG:32632", "colours.ppm",
+                      "place.vrt")
+            where = "<GeoTransform>%s</GeoTransform>" % ", ".join("%.17g" % n for n in place)
+            with open(self.path("place.vrt"), "r+") as stream:
+                text = stream.read().replace("<VRTRasterBand", where + "<VRTRasterBand", 1)
+                stream.seek(0)
+                stream.write(text)
+            self.tool("gdal_translate", "-q", "place.vrt", "colours.tif")
+            pictures.append(self.shade(heights, *words))
+            # Without a place of its own it is stretched over the heights, turned or not.
+            pictures.append(self.shade(heights, "--texture", "colours.ppm", "--diffuse", "0,0,0"))
+        for other in pictures[1:]:
+            self.assertAlike(pictures[0], other)
+        self.assertNotEqual(pictures[0][0, 0], pictures[0][11, 11])
+
+    def assertAlike(self, one, other):
+        worst = max(abs(a - b) for r, s in zip(one.rows, other.rows) for a, b in zip(r, s))
+        self.assertLessEqual(worst, 1)
+
+    @needsGdalTools
+    def test_warnings(self):
+        self.grid([[-9999, -9999, 5], [1, 2, 3]], "marked.asc")
+        result = self.run_("marked.asc", "out.png")
+        self.assertEqual(result.returncode, 0)
+        for fragment in ("marked.asc: warning: ", "-9999 in 2 of 6 samples", "see --nodata"):
+            self.assertIn(fragment, result.stderr)
+        self.assertEqual(len(result.stderr.splitlines()), 1)
+        self.good("marked.asc", "out.png", "--quiet")
+        self.good("marked.asc", "out.png", "--nodata", "-9999")
+        self.hills()
+        with open(self.path("in.vrt"), "w") as stream:
+            stream.write(VRT % (16, 12, "", "<UnitType>parasang</UnitType>", "hills.asc"))
+        result = self.run_("in.vrt", "out.png")
+        self.assertIn('"parasang", is not known; they are taken for metres', result.stderr)
+        self.assertIn("see --height-scale", result.stderr)
+        world = self.grid([[x * y for x in range(8)] for y in range(4)], "world.asc", size=45,
+                          corner=(-180, -90))
+        self.tiff(world, "world.tif", "-a_srs", "EPSG:4326")
+        for line in self.run_("world.tif", "out.png").stderr.splitlines():
+            self.assertNotIn("...", line)  # it is short enough to be whole
+        self.assertIn("as long as at its centre", self.run_("world.tif", "out.png").stderr)
+        self.good("world.tif", "out.png", "--spacing", "100")
+
+    def test_messages_stay_short(self):
+        folder = os.path.join(*(letter * 200 for letter in "abcde"))
+        os.makedirs(self.path(folder))
+        name = self.plane(name=os.path.join(folder, "marked.asc"))
+        self.assertLessEqual(len(self.bad(1, "marked.asc: ", name, "out.png", "--band", "7")), 200)
+        away = os.path.join(folder, "none", "out.tif")
+        self.assertLessEqual(len(self.bad(1, "no directory", name, away)), 300)
+        cut = os.path.join(folder, "cut.tif")
+        with open(self.path(cut), "wb") as stream:
+            stream.write(b"II*\0\x08\0\0\0\x09\0")
+        self.assertLessEqual(len(self.bad(1, "cut.tif: ", cut, "out.png")), 300)
+
+    @needsGdalTools
+    def test_folders_that_are_data_sets(self):
+        self.tiff(self.hills(), "in.tif", "-a_srs", "EPSG:32632")
+        if "Zarr" not in self.tool("gdalinfo", "--formats"):
+            self.skipTest("this GDAL writes no Zarr")
+        self.tool("gdal_translate", "-q", "-of", "Zarr", "in.tif", "in.zarr")
+        self.assertEqual(self.shade("in.zarr"), self.shade("in.tif"))
+        os.mkdir(self.path("empty"))
+        self.bad(1, ["empty", "is a directory"], "empty", "out.png")
+
+    @needsGdalTools
+    def test_axes_in_degrees(self):
+        if "netCDF" not in self.tool("gdalinfo", "--formats"):
+            self.skipTest("this GDAL reads no NetCDF")
+        axes = {
+            "lon": ([10 + 0.01 * k for k in range(6)], "degrees_east"),
+            "lat": ([50 + 0.01 * k for k in range(4)], "degrees_north"),
+        }
+        heights = [[100 * row + column for column in range(6)] for row in range(4)]
+        netcdf(self.path("axes.nc"), axes, heights)
+        found = self.statistics("axes.nc")
+        x, y = metres(50.015, 6378137, 298.257223563)
+        sx, sy = map(float, found["spacing"].split())
+        self.assertEqual(found["coordinates"], "geographic")
+        self.assertAlmostEqual(sx, 0.01 * x, places=3)
+        self.assertAlmostEqual(sy, 0.01 * y, places=3)
+        self.good("axes.nc", "out.tif")
+        self.assertIn("WGS 84", self.info("out.tif")["coordinateSystem"]["wkt"])
+        # The first row of the file is the southern one.
+        north = self.grid(heights[::-1], "north.asc")
+        words = ("--spacing", found["spacing"].replace(" ", ","))
+        self.assertEqual(self.shade("axes.nc", *words), self.shade(north, *words))
 
     def test_points_are_placed_by_map_coordinates(self):
         here = self.hills("here.asc", size=10)
@@ -182,11 +348,11 @@ class Orientation(Case):
         )
         shaded = self.shade("north.asc").flipped()
         alpha = [v for row in shaded.rows for v in row[3::4]]
-        self.assertEqual(list(self.values("out.tif", 4)), alpha)
+        self.assertEqual(list(self.values("out.tif", 2)), alpha)
 
     def test_pictures_and_grids_agree(self):
         rows = [[(x * 7 + y * 5 + x * y) % 11 for x in range(16)] for y in range(12)]
-        self.assertEqual(self.shade(self.hills()), self.shade(self.png(rows, "h.png")))
+        self.assertEqual(self.shade(self.hills()), self.shade(self.png(rows, "h.png"), "--height-scale", "1"))
 
 
 class Samples(Case):
@@ -240,7 +406,7 @@ class Samples(Case):
         self.assertEqual((picture[1, 1], picture[0, 0][3]), ((0, 0, 0, 0), 255))
 
     def test_pictures_of_16_bits(self):
-        picture = self.shade(self.png([[0, 60000], [0, 60000]], "p.png"), "--sun", "270,45")
+        picture = self.shade(self.png([[0, 60000], [0, 60000]], "p.png"), "--quiet", "--sun", "270,45")
         self.assertEqual(picture.width, 2)
         self.assertEqual(self.statistics("p.png")["type"], "unsigned short")
         self.assertEqual(self.statistics("p.png")["coordinates"], "none")

@@ -56,7 +56,7 @@ class Scenes(Case):
         self.assertColour([0.4] * 3, *words, "--sun", "0,90,0.1", "--sun", "0,90,0.2")
         self.assertColour([0.35] * 3, "plane.asc", "--sun", "0,90,0.2", "--scene=scene.json")
         self.assertColour([0.5] * 3, *words, "--env-intensity", "0")
-        self.assertColour([0.5] * 3, *words, "--preset", "sky-dome")
+        self.assertColour([0.31] * 3, *words, "--preset", "sky-dome")
         grey = self.ppm([[(188, 188, 188)]], "grey.ppm")  # half as bright as white
         self.assertColour([0.75] * 3, *words, "--env", grey)
 
@@ -75,6 +75,54 @@ class Scenes(Case):
                  "--save-scene", "s.json")
         self.assertFalse(os.path.exists(self.path("out.png")))
         self.bad(1, "no/such.json", "plane.asc", "out.png", "--save-scene", "no/such.json")
+
+    def test_words_in_any_spelling(self):
+        hills = self.hills()
+        scene = {"reliefScene": 1, "integrator": "FixedStep", "material": {"offsetMode": "SurfaceNormal"},
+                 "environment": {"image": "whiteDome", "sampling": "SolidAngle"}}
+        pictures = []
+        for words in (("FixedStep", "SurfaceNormal", "whiteDome", "SolidAngle"),
+                      ("fixed-step", "normal", "white-dome", "solid-angle"),
+                      ("Fixed step", "surface-normal", "WhiteDome", "solid_angle")):
+            scene["integrator"], scene["material"]["offsetMode"] = words[:2]
+            scene["environment"]["image"], scene["environment"]["sampling"] = words[2:]
+            with open(self.path("s.json"), "w") as stream:
+                json.dump(scene, stream)
+            pictures.append(self.shade(hills, "--scene", "s.json"))
+            pictures.append(self.shade(hills, "--integrator", words[0], "--offset", words[1],
+                                       "--preset", "Sky-Dome", "--env-samples", "64",
+                                       "--env-intensity", "1", "--type",
+                                       "UInt8", "--depth", "Auto", "--nodata", "None",
+                                       "--env-radius", "Infinite", "--env-sampling", words[3]))
+        for picture in pictures[1:]:
+            self.assertEqual(picture, pictures[0])
+        self.good(hills, "o.png", "--scene", "s.json", "--save-scene", "again.json")
+        self.assertEqual(self.scene("again.json")["integrator"], "FixedStep")
+
+    def test_negative_light(self):
+        """Takes light away, by whichever way it comes."""
+        self.plane()
+        with open(self.path("s.json"), "w") as stream:
+            json.dump({"reliefScene": 1, "lights": [
+                {"kind": "sun", "azimuth": 0, "altitude": 90},
+                {"kind": "sun", "azimuth": 0, "altitude": 90, "intensity": -0.5, "color": [1, 0.5, -0.2]}]}, stream)
+        linear = (0.5, 0.75, 1.1)
+        self.assertColour(linear, "plane.asc", "--scene", "s.json")
+        self.assertColour(linear, "plane.asc", "--sun", "0,90", "--sun", "0,90,-0.5,1,0.5,-0.2")
+        self.assertColour((0, 0, 0), "plane.asc", "--sun", "0,90", "--sun", "0,90,-2")
+        self.assertColour((0, 0, 0), "plane.asc", "--point", "4,4,1000,-1")
+
+    def test_long_keys(self):
+        self.plane()
+        for long in ("k" * 50000, "k k" * 20000):
+            for text in ('{"reliefScene": 1, "%s": 2}', '{"reliefScene": 1, "integrator": "%s"}',
+                         '{"reliefScene": 1, "environment": {"image": "file", "file": "%s"}}', '{"%s'):
+                with open(self.path("s.json"), "w") as stream:
+                    stream.write(text.replace("%s", long))
+                result = self.run_("plane.asc", "o.png", "--scene", "s.json")
+                self.assertEqual(len(result.stderr.splitlines()), 1)
+                self.assertLessEqual(len(result.stderr), 220, result.stderr)
+                self.assertIn("s.json", result.stderr)
 
     def test_a_failed_run_keeps_the_old_file(self):
         with open(self.path("scene.json"), "w") as stream:

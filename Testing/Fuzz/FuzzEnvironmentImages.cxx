@@ -85,7 +85,7 @@ void SetMaterial(FuzzInput& input, vtkReliefMaterial* material)
   {
     material->SetSubsurfaceDepth(input.NonNegative());
   }
-  material->SetOffsetMode(input.Flag());
+  material->SetOffsetMode(AnyOffset(input));
   material->SetAttenuation(input.Flag());
   material->SetDensity(input.NonNegative());
   material->SetUseFloor(input.Flag());

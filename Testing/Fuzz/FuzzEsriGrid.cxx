@@ -1,36 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ESRI ASCII grids of any content, by reliefshade's own reader and by the way the program takes.
+// ESRI ASCII grids of any content, by the library's own reader and by the way the program takes.
 #include "FuzzInput.h"
 
 #include "EsriGrid.h"
 #include "Failure.h"
-#include "MemoryBudget.h"
 #include "MessageLog.h"
-#include "RasterReader.h"
-
-#include <stdexcept>
+#include "RasterFiles.h"
+#include "ReferencedPicture.h"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
   reliefshade::catchMessages();
+  relief::raster::KeepGdalQuiet();
   return 0;
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  reliefshade::MemoryBudget budget(64.0 * 1024.0 * 1024.0);
+  reliefshade::MemoryBudget budget(64.0 * 1024.0 * 1024.0, "the fuzzer");
   const FuzzFile file(".asc", data, size);
   bool own = false;
-  if (reliefshade::isEsriGrid(file.Name()))
+  if (relief::raster::IsEsriGrid(file.Name()))
   {
     try
     {
-      const reliefshade::EsriGrid grid =
-        reliefshade::readEsriGrid(file.Name(), reliefshade::MemoryPlan{ budget });
-      FUZZ_CHECK(grid.Heights->GetNumberOfPoints() > 0);
+      const auto heights = relief::raster::ReadEsriHeights(file.Name(), { budget }, nullptr);
+      FUZZ_CHECK(heights->GetNumberOfPoints() > 0);
       own = true;
     }
-    catch (const std::runtime_error&)
+    catch (const relief::io::Failure&)
     {
     }
     reliefshade::takeError();

@@ -3,14 +3,14 @@
 #include "FuzzInput.h"
 
 #include "Failure.h"
-#include "MemoryBudget.h"
 #include "MessageLog.h"
-#include "Picture.h"
-#include "RasterReader.h"
+#include "RasterFiles.h"
+#include "ReferencedPicture.h"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
   reliefshade::catchMessages();
+  relief::raster::KeepGdalQuiet();
   return 0;
 }
 
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     return 0;
   }
-  reliefshade::MemoryBudget budget(64.0 * 1024.0 * 1024.0);
+  reliefshade::MemoryBudget budget(64.0 * 1024.0 * 1024.0, "the fuzzer");
   const FuzzFile file(".tif", data, size);
   reliefshade::ReadOptions options;
   const int choice = data[size - 1];

@@ -53,9 +53,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // The last byte, which few formats need, chooses how the file is read.
   const int choice = data[size - 1];
   vtkNew<vtkOpenImageIOReader> reader;
+  // A decoder may need its memory for the header already.
+  reader->SetMemoryLimit(64 * 1024);
   reader->CanReadFile(file.Name().c_str());
   reader->SetFileName(file.Name().c_str());
-  reader->SetMemoryLimit(64 * 1024);
   reader->SetAlphaAsMask(choice & 1);
   reader->SetSubimage(choice >> 1 & 3);
   reader->SetMipLevel(choice >> 3 & 1);

@@ -140,4 +140,11 @@ private:
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
+/// One of the three offsets; from one byte, of which odd ones are a normal.
+inline int AnyOffset(FuzzInput& input)
+{
+  const int byte = input.Take<std::uint8_t>() % 4;
+  return byte == 3 ? 1 : byte;
+}
+
 #endif

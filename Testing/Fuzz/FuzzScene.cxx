@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene of whatever a host may hand to the model: any heights; spacings, lights and parameters
-// within the bounds of vtkReliefConversion. Samples with data get numbers, in range where the model
+// within the bounds of SceneConversion. Samples with data get numbers, in range where the model
 // says so; samples without data stay without; and the second run, from what the first has kept,
 // gives the same.
 #include "FuzzInput.h"
@@ -139,7 +139,7 @@ Scene MakeScene(FuzzInput& input, const std::vector<double>& texels)
   scene.specularFalloff = Falloff(input);
   scene.scatterFalloff = Falloff(input);
   scene.medium.depth = std::abs(input.Bounded(1e15));
-  scene.medium.offset = input.Flag();
+  scene.medium.offset = AnyOffset(input);
   scene.medium.attenuation = input.Flag();
   scene.medium.density = std::abs(input.Bounded(1e30));
   scene.medium.useFloor = input.Flag();

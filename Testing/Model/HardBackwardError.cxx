@@ -50,8 +50,7 @@ Real IlluminationOf(const HardScene& scene, const Light& light, int i, int j, or
   ray.length -= std::isinf(ray.length) ? Real(0) : cut * ray.length;
   nudge.close = oracle::CloseTo(terrain, ray, epsilon);
   const Real r = oracle::Thickness(terrain, medium, ray, nudge) * (1 + stretch);
-  if (medium.depth > 0.0 || std::isinf(r) || ray.length == 0 ||
-    medium.attenuation == relief::f64::RELIEF_EXPONENTIAL)
+  if (medium.depth > 0.0 || std::isinf(r) || medium.attenuation == relief::f64::RELIEF_EXPONENTIAL)
   {
     return std::isinf(r) ? Real(0) : oracle::Illumination(medium, r);
   }
@@ -59,14 +58,15 @@ Real IlluminationOf(const HardScene& scene, const Light& light, int i, int j, or
   {
     return 0;
   }
-  const Real way = std::min({ ray.length, Real(terrain.spacingX), Real(terrain.spacingY) });
+  const Real cell = std::min(Real(terrain.spacingX), Real(terrain.spacingY));
+  const Real way = ray.length > 0 ? std::min(ray.length, cell) : cell;
   // The depth goes to 0, and so leaves every floor below the surface beneath it.
   const Real toFloor = Real(terrain.At(i, j)) - medium.floorHeight;
   const Real room = medium.useFloor && toFloor > 0 ? std::min(way, toFloor) : way;
   relief::f64::ReliefMedium sunk = medium;
   sunk.depth = static_cast<double>(1e-16L * room);
   ray = oracle::RayOf(terrain, sunk, light, i, j);
-  ray.length = 1e-9L * way;
+  ray.length = std::min(ray.length, 1e-9L * way);
   return oracle::Illumination(sunk, oracle::Thickness(terrain, sunk, ray, nudge));
 }
 }

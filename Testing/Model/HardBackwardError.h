@@ -9,6 +9,7 @@
 #include "HardTracer.h"
 #include "ThicknessOracle.h"
 
+#include <algorithm>
 #include <vector>
 
 /// The relative spacing of the numbers in which a method computes.

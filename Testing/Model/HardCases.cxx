@@ -3,6 +3,7 @@
 
 #include "ReliefModel.h"
 
+#include <algorithm>
 #include <cfloat>
 #include <utility>
 
@@ -12,6 +13,7 @@ using relief::Light;
 using relief::f64::RELIEF_EXPONENTIAL;
 using relief::f64::RELIEF_RECIPROCAL;
 using relief::f64::RELIEF_SURFACE_NORMAL;
+using relief::f64::RELIEF_TANGENT_PLANE;
 using relief::f64::RELIEF_VERTICAL;
 using relief::f64::ReliefMedium;
 
@@ -264,6 +266,8 @@ std::vector<HardCase> MakeCases()
     { Sun(111, 30), Sun(45, 30), Lamp(4, 3, 5) });
   add("DepthZeroAlongNormals", "t = 0 is the limit", rough, Sunk(0.0, RELIEF_SURFACE_NORMAL),
     { Sun(111, 30), Sun(45, 30), Lamp(4, 3, 5) });
+  add("DepthZeroBelowTangentPlanes", "t = 0 is the limit", rough, Sunk(0.0, RELIEF_TANGENT_PLANE),
+    { Sun(111, 30), Sun(45, 30), Lamp(4, 3, 5) });
   add("DepthDenormal", "t that float does not hold", rough, Sunk(1e-310),
     { Sun(111, 30), Sun(45, 30) });
   add("DepthBeyondTheRelief", "t larger than all relief", rough, Sunk(1e6),
@@ -307,6 +311,9 @@ std::vector<HardCase> MakeCases()
     { Sun(111, 30) }, Everywhere(1.0));
   add("FloorNextToDepthZero", "a floor next to where rays begin", Level(),
     WithFloor(Sunk(0.0), -3e-11), { Lamp(4, 3, 5), Sun(111, 30) });
+  add("FloorAtTheStart", "a floor as deep as rays begin, in cells that rise far above that",
+    With(Level(), 1, 1, 0.002), WithFloor(Sunk(1e-6, RELIEF_TANGENT_PLANE), -1e-6),
+    { Sun(165, 75), Sun(345, 75), Sun(75, 30) });
   return cases;
 }
 

@@ -56,8 +56,9 @@ std::ostream& operator<<(std::ostream& out, const HardScene& scene)
     out << (k == 0 ? " " : k % terrain.columns == 0 ? ",\n  " : ", ") << Number(terrain.heights[k]);
   }
   out << " };\nscene.medium = { " << Number(medium.depth) << ", "
-      << (medium.offset == relief::f64::RELIEF_VERTICAL ? "RELIEF_VERTICAL"
-                                                        : "RELIEF_SURFACE_NORMAL")
+      << (medium.offset == relief::f64::RELIEF_VERTICAL           ? "RELIEF_VERTICAL"
+             : medium.offset == relief::f64::RELIEF_TANGENT_PLANE ? "RELIEF_TANGENT_PLANE"
+                                                                  : "RELIEF_SURFACE_NORMAL")
       << ", "
       << (medium.attenuation == relief::f64::RELIEF_RECIPROCAL ? "RELIEF_RECIPROCAL"
                                                                : "RELIEF_EXPONENTIAL")

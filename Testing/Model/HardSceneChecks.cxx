@@ -204,13 +204,13 @@ std::string CheckRaisedWall(const HardScene& scene, int i, int j, double height)
     return std::string();
   }
   wall = height;
+  const Terrain terrain = WithoutInfinities(scene.terrain);
   const HardTracer before(scene);
   const HardTracer after(raised);
   if (!after.GetRefusal().empty())
   {
     return std::string(); // higher than float tells
   }
-  const bool alongNormal = scene.medium.offset == relief::f64::RELIEF_SURFACE_NORMAL;
   return ForEachMethod(scene, before,
     [&](Method method, std::size_t light)
     {
@@ -221,8 +221,21 @@ std::string CheckRaisedWall(const HardScene& scene, int i, int j, double height)
         [&](int si, int sj, std::size_t at)
         {
           // The sample itself goes up with its wall, and normals beside it turn.
-          const int near = alongNormal ? 1 : 0;
+          const int near = scene.medium.offset == relief::f64::RELIEF_VERTICAL ? 0 : 1;
           if (std::abs(si - i) <= near && std::abs(sj - j) <= near)
+          {
+            return std::string();
+          }
+          // Ground behind the point tells how it goes on beyond the data.
+          const oracle::Ray ray = oracle::RayOf(terrain, scene.medium, scene.lights[light], si, sj);
+          const Real sx = scene.terrain.spacingX;
+          const Real sy = scene.terrain.spacingY;
+          const Real ahead =
+            (i - si - ray.x) * sx * ray.stepX * sx + (j - sj - ray.y) * sy * ray.stepY * sy;
+          const Real cell = scene.medium.offset == relief::f64::RELIEF_SURFACE_NORMAL
+            ? std::hypot(sx, sy)
+            : Real(0);
+          if (ray.stepZ > 0 && !scene.medium.useFloor && ahead <= cell)
           {
             return std::string();
           }

@@ -4,7 +4,7 @@
 #include "PacketThickness.h"
 #include "PreparedTerrain.h"
 #include "SceneShading.h"
-#include "SweepThickness.h"
+#include "SweptRows.h"
 
 using relief::Light;
 
@@ -57,7 +57,7 @@ Traced<double> HardTracer::Trace(Method method, const Light& light) const
   result.r = result.d;
   auto keep = [&](int i, int j, float d, float r)
   {
-    if (i < columns && j < rows && !std::isnan(field.heights.At(i, j)))
+    if (!std::isnan(field.heights.At(i, j)))
     {
       result.d[static_cast<std::size_t>(j) * columns + i] = d;
       result.r[static_cast<std::size_t>(j) * columns + i] = r;
@@ -85,22 +85,14 @@ Traced<double> HardTracer::Trace(Method method, const Light& light) const
   }
   if (method == Method::Sweep)
   {
-    using relief::SweepThickness;
-    const SweepThickness sweep(this->Field, medium, lowered);
-    for (int row = 0; row * SweepThickness::TileHeight < rows; ++row)
-    {
-      for (int column = 0; column * SweepThickness::TileWidth < columns; ++column)
+    ForEachSweptRow(this->Field, medium, lowered, SweptLayers::Thickness, result.count,
+      [&](int i, int j, int size, const float* d, const float* r)
       {
-        float d[SweepThickness::TileSize];
-        float r[SweepThickness::TileSize];
-        sweep.IlluminateTile(column, row, d, r, result.count);
-        for (int at = 0; at < SweepThickness::TileSize; ++at)
+        for (int k = 0; k < size; ++k)
         {
-          keep(column * SweepThickness::TileWidth + at % SweepThickness::TileWidth,
-            row * SweepThickness::TileHeight + at / SweepThickness::TileWidth, d[at], r[at]);
+          keep(i + k, j, d[k], r[k]);
         }
-      }
-    }
+      });
     return result;
   }
   std::vector<glm::vec3> normals(columns);

@@ -23,6 +23,18 @@ inline void RunSerial(int count, const std::function<void(int, int)>& body)
   body(0, count);
 }
 
+/// Rows of values, one after the other, with a spacing of 1.
+template <class T>
+relief::HeightSource<T> SourceOf(const std::vector<T>& values, int columns)
+{
+  relief::HeightSource<T> source;
+  source.data = values.data();
+  source.stepY = columns;
+  source.columns = columns;
+  source.rows = static_cast<int>(values.size()) / columns;
+  return source;
+}
+
 /// Makes a field of a terrain's heights, padded for the lockstep integrator or not; returns what is
 /// wrong with them, or nothing.
 inline std::string Assign(const Terrain& terrain, relief::HeightField& field, bool padded = true)

@@ -106,11 +106,10 @@ inline HardScene MakeRandomHardScene(Random& random)
                                            : unit * random.Logarithmic(1e-3, 1e3);
   FillHard(scene.terrain, relief, random);
 
-  const int offset =
-    random.Chance(0.7) ? relief::f64::RELIEF_VERTICAL : relief::f64::RELIEF_SURFACE_NORMAL;
+  const int offset = AllOffsets[random.Integer(0, 2)];
   // So near the surface that a point beside it has no digits of its own, only below it.
   const double depths[] = { 0.0, 1e-6 * unit, 1e9 * unit, 1e-280, 1e-40 * unit };
-  const int shallow = offset == relief::f64::RELIEF_VERTICAL ? 4 : 2;
+  const int shallow = offset == relief::f64::RELIEF_SURFACE_NORMAL ? 2 : 4;
   const double depth = random.Chance(0.4) ? unit
     : random.Chance(0.4)                  ? depths[random.Integer(0, shallow)]
                                           : unit * random.Logarithmic(1e-2, 1e2);

@@ -5,10 +5,11 @@
 /// @file
 /// Random fields, media and lights that reach every branch of the model: sizes from one sample up,
 /// spacings that differ, noise, hills and terraces from nearly flat to far steeper than terrain,
-/// holes, floors, both offsets, both attenuations, and lights near, far, below and along the axes.
+/// holes, floors, all offsets, both attenuations, and lights near, far, below and along the axes.
 
 #include "TestTerrain.h"
 
+#include <algorithm>
 #include <ostream>
 
 struct RandomScene
@@ -100,8 +101,7 @@ inline RandomScene MakeRandomScene(Random& random)
   scene.terrain = terrain;
 
   double depth = unit * (random.Chance(0.7) ? random.Logarithmic(0.01, 10.0) : 1.0);
-  scene.medium = Sunk(
-    depth, random.Chance(0.5) ? relief::f64::RELIEF_VERTICAL : relief::f64::RELIEF_SURFACE_NORMAL);
+  scene.medium = Sunk(depth, AllOffsets[random.Integer(0, 2)]);
   if (random.Chance(0.3))
   {
     scene.medium.attenuation = relief::f64::RELIEF_EXPONENTIAL;
@@ -134,7 +134,19 @@ inline RandomScene MakeRandomScene(Random& random)
                                          : random.Logarithmic(0.1, 90.0);
     scene.light = Sun(azimuth, altitude);
   }
+  if (random.Chance(0.1))
+  {
+    scene.medium.depth = 0.0;
+  }
   return scene;
+}
+
+/// Whether two ways to compute d stand at different sides of a shadow's edge: at depth 0 the
+/// reciprocal attenuation lets nothing through the thinnest shadow, so that rounding decides.
+inline bool IsEdge(const relief::f64::ReliefMedium& medium, double a, double b)
+{
+  return medium.depth == 0.0 && medium.attenuation == relief::f64::RELIEF_RECIPROCAL &&
+    (a == 0.0) != (b == 0.0);
 }
 
 inline std::ostream& operator<<(std::ostream& out, const RandomScene& scene)

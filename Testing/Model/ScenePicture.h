@@ -53,6 +53,7 @@ struct Picture
 enum Layers
 {
   ColorOnly,
+  IlluminationOnly,
   AllLayers
 };
 
@@ -75,7 +76,14 @@ inline Picture Shade(const relief::HeightField& field, const relief::Scene& scen
     values.assign(samples * components, -1.0f);
     return values.data();
   };
-  target.rgba = layer(picture.rgba, 4);
+  if (layers == IlluminationOnly)
+  {
+    target.illumination = layer(picture.illumination, 1);
+  }
+  else
+  {
+    target.rgba = layer(picture.rgba, 4);
+  }
   if (layers == AllLayers)
   {
     picture.rgba8.assign(samples * 4, 77);
@@ -137,6 +145,46 @@ inline bool Equal(const std::vector<float>& a, const std::vector<float>& b)
   return a.size() == b.size() &&
     std::equal(a.begin(), a.end(), b.begin(),
       [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+// Bit for bit, as the same scene in other pieces must be.
+inline void ExpectEqual(const Picture& a, const Picture& b)
+{
+  EXPECT_TRUE(Equal(a.rgba, b.rgba));
+  EXPECT_EQ(a.rgba8, b.rgba8);
+  EXPECT_TRUE(Equal(a.illumination, b.illumination));
+  EXPECT_TRUE(Equal(a.thickness, b.thickness));
+  EXPECT_TRUE(Equal(a.normals, b.normals));
+  EXPECT_TRUE(Equal(a.base, b.base));
+  EXPECT_TRUE(Equal(a.diffuse, b.diffuse));
+  EXPECT_TRUE(Equal(a.scatter, b.scatter));
+  EXPECT_TRUE(Equal(a.specular, b.specular));
+}
+
+// Cuts a field into rectangles, the upper ones first; some may be empty.
+inline std::vector<Part> RandomParts(int columns, int rows, Random& random)
+{
+  auto cuts = [&](int size)
+  {
+    std::vector<int> places = { 0, size };
+    for (int cut = 0; cut < 4; ++cut)
+    {
+      places.push_back(random.Integer(0, size));
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+  };
+  const std::vector<int> x = cuts(columns);
+  const std::vector<int> y = cuts(rows);
+  std::vector<Part> parts;
+  for (std::size_t j = y.size() - 1; j > 0; --j)
+  {
+    for (std::size_t i = 1; i < x.size(); ++i)
+    {
+      parts.push_back({ x[i - 1], x[i], y[j - 1], y[j] });
+    }
+  }
+  return parts;
 }
 
 #endif

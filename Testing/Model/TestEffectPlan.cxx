@@ -99,3 +99,38 @@ TEST_F(EffectPlan, FixedStepsPutASunOnTheSphere)
   EXPECT_TRUE(this->Light().directional);
   EXPECT_FLOAT_EQ(this->Light().vector.x, 0.6f);
 }
+
+TEST_F(EffectPlan, EffectsAreThoseOfThePlan)
+{
+  auto effects = [&](bool traced = false, bool normals = false)
+  { return relief::FindEffects(this->Scene, this->Plan(), traced, normals); };
+  EXPECT_EQ(effects(), relief::IlluminationEffect);
+  EXPECT_EQ(effects(false, true), relief::IlluminationEffect | relief::NormalsEffect);
+  // Points that are sunk along normals need them, and nothing else of highlights.
+  this->Scene.medium.offset = relief::f64::RELIEF_SURFACE_NORMAL;
+  EXPECT_EQ(effects(), relief::IlluminationEffect | relief::NormalsEffect);
+  this->Scene.diffuse = glm::dvec3(0.0);
+  EXPECT_EQ(effects(), 0);
+  EXPECT_EQ(effects(true), relief::IlluminationEffect | relief::NormalsEffect);
+  // The way down to the tangent plane is found with the ray.
+  for (int offset : { relief::f64::RELIEF_TANGENT_PLANE, relief::f64::RELIEF_VERTICAL })
+  {
+    this->Scene.medium.offset = offset;
+    EXPECT_EQ(effects(true), relief::IlluminationEffect);
+  }
+
+  this->Scene.diffuse = glm::dvec3(1.0);
+  this->Scene.specularCoefficient = this->Scene.scatterCoefficient = 0.5;
+  const int all = relief::IlluminationEffect | relief::NormalsEffect | relief::SpecularEffect |
+    relief::ScatterEffect;
+  EXPECT_EQ(effects(), all);
+  this->Scene.baseTextures.resize(1);
+  this->Scene.diffuseTextures.resize(1);
+  this->Scene.specularTextures.resize(1);
+  EXPECT_EQ(effects(),
+    all | relief::BaseTextureEffect | relief::DiffuseTextureEffect | relief::SpecularTextureEffect);
+  this->Scene.lights.clear();
+  EXPECT_EQ(effects(), relief::BaseTextureEffect);
+  this->Scene.specularCoefficient = 1.0;
+  EXPECT_EQ(effects(), 0);
+}

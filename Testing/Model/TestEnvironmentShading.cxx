@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <iostream>
 
 using namespace relief;
@@ -70,7 +71,7 @@ TEST(EnvironmentShading, WhiteFurnace)
 {
   Prepared prepared(Terrain(70, 20));
   Scene scene;
-  for (int offset : { f64::RELIEF_VERTICAL, f64::RELIEF_SURFACE_NORMAL })
+  for (int offset : AllOffsets)
   {
     scene.medium.offset = offset;
     for (EnvironmentSampling sampling :
@@ -87,6 +88,57 @@ TEST(EnvironmentShading, WhiteFurnace)
       }
     }
   }
+}
+
+// The mean illumination of level ground is 1 under any sky alone: what there is less is hidden.
+// Beside a sun the two are weighed by what open level ground has of them.
+TEST(EnvironmentShading, LevelGroundSeesAllOfTheSky)
+{
+  Prepared prepared(Terrain(70, 20));
+  Scene scene;
+  scene.medium.depth = 0.5;
+  for (EnvironmentSampling sampling : { EnvironmentSampling::Uniform,
+         EnvironmentSampling::SolidAngle, EnvironmentSampling::Importance })
+  {
+    for (int n : { 8, 64, 100, 1024 })
+    {
+      scene.lights = SampleEnvironment(White(), sampling, n, Upright);
+      for (Light& light : scene.lights)
+      {
+        light.intensity = 0.7;
+      }
+      const Picture sky = Shade(prepared.Field, scene, AllLayers);
+      scene.lights.push_back(Sun(200.0, 30.0));
+      scene.lights.back().intensity = 0.7;
+      const Picture both = Shade(prepared.Field, scene, AllLayers);
+      double open = 0.0; // half of it where evenly spread in the polar angle, else 1
+      for (const Light& light : scene.lights)
+      {
+        open += light.positional || light.weight == 1.0 ? 0.0 : light.weight * light.open;
+      }
+      for (std::size_t k = 0; k < sky.illumination.size(); ++k)
+      {
+        ASSERT_NEAR(sky.illumination[k], 1.0, 2e-5) << n;
+        ASSERT_NEAR(both.illumination[k], (open + 0.5) / (open + 1.0), 2e-5) << n;
+      }
+    }
+  }
+}
+
+// Light from below only: the mean is over all of it.
+TEST(EnvironmentShading, IlluminationFromBelow)
+{
+  Prepared prepared(Terrain(70, 20));
+  Scene scene;
+  scene.medium.useFloor = true;
+  scene.medium.floorHeight = -1.0;
+  scene.lights = { Sun(0.0, -90.0) };
+  scene.lights[0].open = 0.0;
+  const Picture picture = Shade(prepared.Field, scene, AllLayers);
+  scene.lights[0].open = 1.0;
+  const Picture expected = Shade(prepared.Field, scene, AllLayers);
+  ExpectEqual(picture, expected);
+  EXPECT_GT(picture.illumination[75], 0.5f);
 }
 
 TEST(EnvironmentShading, LightsThatCannotShowAreNotTraced)

@@ -81,7 +81,7 @@ TEST(HardSceneShrinking, FindsThePlantedFault)
       HardScene expected;
       expected.terrain = Terrain(2, 1);
       expected.terrain.heights = { 4.0, NoData };
-      expected.medium = WithFloor(Sunk(1.0), 0.0);
+      expected.medium = WithFloor(Sunk(scene.medium.depth > 0.0 ? 1.0 : 0.0), 0.0);
       expected.lights = { Lamp(1.0, 0.0, 0.0) };
       EXPECT_EQ(Print(Shrink(scene, fails)), Print(expected)) << scene;
     }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -143,6 +144,43 @@ TEST(HeightField, NoDataOutsideTheTypeIsNoHeight)
   EXPECT_EQ(At(field, 0, 1), singles[2]);
 }
 
+// 2^63 and 2^64 are what the greatest values become as a double, and no values themselves.
+template <class T>
+void TestEnds(double end)
+{
+  EXPECT_FALSE(relief::NoDataOf<T>(end).has_value());
+  EXPECT_FALSE(relief::NoDataOf<T>(-2.0 * end).has_value());
+  EXPECT_FALSE(relief::NoDataOf<T>(NoData).has_value());
+  const double below = std::nextafter(end, 0.0);
+  EXPECT_EQ(relief::NoDataOf<T>(std::floor(below)), static_cast<T>(below));
+  const T lowest = std::numeric_limits<T>::lowest();
+  EXPECT_EQ(relief::NoDataOf<T>(static_cast<double>(lowest)), lowest);
+  EXPECT_FALSE(relief::NoDataOf<T>(static_cast<double>(lowest) - 4096.0).has_value());
+}
+
+TEST(HeightField, NoDataAtTheEndsOfTheType)
+{
+  TestEnds<signed char>(128.0);
+  TestEnds<unsigned char>(256.0);
+  TestEnds<int>(std::ldexp(1.0, 31));
+  TestEnds<unsigned int>(std::ldexp(1.0, 32));
+  TestEnds<long long>(std::ldexp(1.0, 63));
+  TestEnds<unsigned long long>(std::ldexp(1.0, 64));
+
+  // Cast as it was, 2^63 would be the lowest value on some machines, and the greatest on others.
+  std::vector<long long> values = { std::numeric_limits<long long>::lowest(), 0, 5,
+    std::numeric_limits<long long>::max() };
+  HeightSource<long long> source = SourceOf(values, 2);
+  source.hasNoData = true;
+  source.noData = std::ldexp(1.0, 63);
+  HeightField field;
+  EXPECT_EQ(field.Assign(source, InParts), "");
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_FALSE(std::isnan(At(field, k % 2, k / 2))) << values[k];
+  }
+}
+
 // Values are compared in their own type: a file's text rarely has all digits of a float.
 TEST(HeightField, NoDataIsComparedInTheSamplesType)
 {
@@ -213,6 +251,42 @@ TEST(HeightField, InPlace)
   EXPECT_EQ(data(), values.data());
   // The caller's values are never touched.
   EXPECT_EQ(values[2], 3.0f);
+}
+
+// What has its margins already needs no copy to be padded.
+TEST(HeightField, Margins)
+{
+  constexpr int padding = HeightField::Padding;
+  const int columns = 5;
+  const int rows = 3;
+  const int pitch = columns + 2 * padding;
+  std::vector<float> values(
+    static_cast<std::size_t>(pitch) * (rows + 1), std::numeric_limits<float>::quiet_NaN());
+  HeightSource<float> source;
+  source.data = values.data() + padding;
+  source.stepY = pitch;
+  source.columns = columns;
+  source.rows = rows;
+  for (int at = 0; at < columns * rows; ++at)
+  {
+    values[padding + at / columns * pitch + at % columns] = static_cast<float>(at);
+  }
+  for (const int margin : { padding, padding - 1 })
+  {
+    source.margin = margin;
+    HeightField field;
+    EXPECT_EQ(field.Assign(source, InParts, true), "");
+    EXPECT_EQ(field.IsInPlace(), margin == padding);
+    EXPECT_EQ(field.GetField().heights.data == source.data, margin == padding);
+    ASSERT_NE(field.GetMissingRow(), nullptr);
+    EXPECT_TRUE(std::isnan(field.GetMissingRow()[0]));
+    EXPECT_EQ(field.GetTop(), 14.0f);
+    EXPECT_EQ(At(field, 4, 2), 14.0f);
+  }
+  source.margin = padding;
+  HeightField field;
+  EXPECT_EQ(field.Assign(source, InParts), "");
+  EXPECT_EQ(field.GetMissingRow(), nullptr); // nobody has asked for it
 }
 
 // A row padded at its end, columns from right to left, one component of three.

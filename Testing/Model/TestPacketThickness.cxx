@@ -6,6 +6,8 @@
 
 #include "PacketThickness.h"
 
+#include <glm/geometric.hpp>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,17 +53,18 @@ std::vector<float> TraceAll(Trace&& trace, const HeightField& field,
   return result;
 }
 
-// Whether the model itself jumps at a sample: its ray runs through the very corner of a hole, so
-// that the least move of the light decides whether it sees the hole.
+// Whether the model itself jumps at a sample: its ray runs through the very corner of a hole or
+// along a peak, so that a move of the light by little more than rounding decides whether it sees
+// them.
 bool Jumps(const HeightField& field, const RandomScene& scene, std::size_t at)
 {
-  const double move = 1e-6 * (scene.light.positional ? scene.terrain.spacingX : 1.0);
+  const double move = 1e-6 * std::max(glm::length(scene.light.vector), scene.terrain.spacingX);
   double lo = 1.0;
   double hi = 0.0;
-  for (int side = 0; side < 4; ++side)
+  for (int side = 0; side < 6; ++side)
   {
     Light moved = scene.light;
-    (side < 2 ? moved.vector.x : moved.vector.y) += side % 2 ? move : -move;
+    moved.vector[side / 2] += side % 2 ? move : -move;
     const double d = Reference(field, scene.medium, moved)[at];
     lo = std::min(lo, d);
     hi = std::max(hi, d);
@@ -70,15 +73,48 @@ bool Jumps(const HeightField& field, const RandomScene& scene, std::size_t at)
 }
 }
 
+// Counts errors beyond 1e-5 over many scenes. A few scenes are ill-conditioned in single precision,
+// for whole rays as well: those are counted apart, so that what is allowed to the others stays
+// small.
+class FarErrors
+{
+public:
+  // The next scene's samples, and how many of them are beyond.
+  void Add(std::size_t samples, std::size_t beyond)
+  {
+    if (beyond > 2 + samples / 100)
+    {
+      ++this->IllConditioned;
+      return;
+    }
+    this->Samples += samples;
+    this->Beyond += beyond;
+  }
+
+  void Expect(const char* name) const
+  {
+    std::cout << name << ": beyond 1e-5: " << 100.0 * this->Beyond / this->Samples << " % of "
+              << this->Samples << ", and " << this->IllConditioned << " scenes" << std::endl;
+    EXPECT_LE(this->Beyond, this->Samples / 2000) << name;
+    EXPECT_LE(this->IllConditioned, 6) << name;
+  }
+
+private:
+  std::size_t Samples = 0;
+  std::size_t Beyond = 0;
+  int IllConditioned = 0;
+};
+
 TEST_P(Packet, AgreesWithTheReference)
 {
   const std::uint64_t seed = Seed() + 2;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   Random random(seed);
   std::size_t samples = 0;
-  std::size_t beyond = 0;
-  std::size_t beyondAlone = 0;
+  FarErrors far;
+  FarErrors farAlone;
   std::size_t jumps = 0;
+  std::size_t edges = 0;
   double worst = 0.0;
   for (int round = 0; round < 300; ++round)
   {
@@ -90,29 +126,92 @@ TEST_P(Packet, AgreesWithTheReference)
     const std::vector<float> alone =
       TraceAll(TraceRow<float, float>, field, scene.medium, scene.light);
     const std::vector<double> expected = Reference(field, scene.medium, scene.light);
+    const std::size_t before = samples;
+    std::size_t beyond = 0;
+    std::size_t beyondAlone = 0;
     for (std::size_t at = 0; at < traced.size(); ++at)
     {
-      if (!std::isnan(scene.terrain.heights[at]))
+      if (std::isnan(scene.terrain.heights[at]))
       {
-        beyondAlone += std::abs(alone[at] - expected[at]) > 1e-5 ? 1 : 0;
-        const double error = std::abs(traced[at] - expected[at]);
-        ++samples;
-        if (error > 1e-3 && Jumps(field, scene, at))
+        continue;
+      }
+      ++samples;
+      if (IsEdge(scene.medium, traced[at], expected[at]) ||
+        IsEdge(scene.medium, alone[at], expected[at]))
+      {
+        ++edges;
+        continue;
+      }
+      beyondAlone += std::abs(alone[at] - expected[at]) > 1e-5 ? 1 : 0;
+      const double error = std::abs(traced[at] - expected[at]);
+      if (error > 1e-3 && Jumps(field, scene, at))
+      {
+        ++jumps;
+        continue;
+      }
+      beyond += error > 1e-5 ? 1 : 0;
+      worst = std::max(worst, error);
+      ASSERT_LE(error, 1e-3) << "sample " << at;
+    }
+    far.Add(samples - before, beyond);
+    farAlone.Add(samples - before, beyondAlone);
+  }
+  std::cout << "largest error " << worst << ", " << jumps << " jumps and " << edges
+            << " at shadows' edges of " << samples << std::endl;
+  far.Expect("packets");
+  farAlone.Expect("rays");
+  EXPECT_LE(jumps, samples / 10000);
+  EXPECT_LE(edges, samples / 10000);
+}
+
+// Samples that are apart, on both sides of the image's border, agree as those that are side by
+// side.
+TEST_P(Packet, TakesColumnsThatAreApart)
+{
+  Random random(Seed() + 4);
+  std::size_t samples = 0;
+  std::size_t beyond = 0;
+  for (int round = 0; round < 100; ++round)
+  {
+    const RandomScene scene = MakeRandomScene(random);
+    SCOPED_TRACE(testing::Message() << "scene " << round << ": " << scene);
+    HeightField field;
+    Prepare(scene.terrain, field);
+    const Field<float>& heights = field.GetField();
+    const std::vector<double> expected = Reference(field, scene.medium, scene.light);
+    for (int j = 0; j < heights.heights.rows; j += 3)
+    {
+      std::vector<int> columns;
+      std::vector<glm::vec3> normals;
+      for (int i = random.Integer(0, 3); i < heights.heights.columns; i += random.Integer(1, 9))
+      {
+        columns.push_back(i);
+        normals.push_back(f32::reliefNormal(heights, i, j));
+      }
+      std::vector<float> d(columns.size(), -1.0f);
+      RowRequest<float> request;
+      request.j = j;
+      request.end = static_cast<int>(columns.size());
+      request.columns = columns.data();
+      request.normals = normals.data();
+      request.illumination = d.data();
+      RayCount count;
+      TracePackets(heights, ToSingle(scene.medium), scene.light, request, count);
+      for (std::size_t k = 0; k < columns.size(); ++k)
+      {
+        const std::size_t at = static_cast<std::size_t>(j) * heights.heights.columns + columns[k];
+        if (std::isnan(scene.terrain.heights[at]))
         {
-          ++jumps;
+          ASSERT_EQ(d[k], -1.0f);
           continue;
         }
-        beyond += error > 1e-5 ? 1 : 0;
-        worst = std::max(worst, error);
-        ASSERT_LE(error, 1e-3) << "sample " << at;
+        ++samples;
+        beyond += std::abs(d[k] - expected[at]) > 1e-3 ? 1 : 0;
       }
     }
   }
-  std::cout << "largest error " << worst << ", beyond 1e-5: " << 100.0 * beyond / samples
-            << " % of " << samples << std::endl;
-  // Some scenes are ill-conditioned in single precision for whole rays as well.
-  EXPECT_LE(beyond, samples / 1000 + beyondAlone * 3 / 2);
-  EXPECT_LE(jumps, samples / 10000);
+  std::cout << beyond << " beyond 1e-3 of " << samples << std::endl;
+  EXPECT_LE(beyond, samples / 1000);
 }
 
 TEST_P(Packet, KeepsTheTolerance)

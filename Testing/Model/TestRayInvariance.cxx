@@ -15,8 +15,6 @@
 namespace
 {
 using relief::Light;
-using relief::f64::RELIEF_SURFACE_NORMAL;
-using relief::f64::RELIEF_VERTICAL;
 using relief::f64::ReliefMedium;
 
 std::vector<double> Reference(
@@ -100,10 +98,10 @@ TEST_P(EveryDegree, EqualsOracle)
 }
 
 INSTANTIATE_TEST_SUITE_P(RayInvariance, EveryDegree,
-  ::testing::Combine(::testing::Values(RELIEF_VERTICAL, RELIEF_SURFACE_NORMAL), ::testing::Bool()),
+  ::testing::Combine(::testing::ValuesIn(AllOffsets), ::testing::Bool()),
   [](const auto& instance)
   {
-    return std::string(std::get<0>(instance.param) == RELIEF_VERTICAL ? "Vertical" : "Normal") +
+    return std::string(NameOfOffset(std::get<0>(instance.param))) +
       (std::get<1>(instance.param) ? "WithHoles" : "Whole");
   });
 
@@ -145,7 +143,7 @@ TEST(RayInvariance, QuarterTurnsAndMirrorsChangeNothing)
     lights.push_back(Lamp(random.Uniform(-2.0, 20.0), random.Uniform(-2.0, 20.0), 4.0));
     for (const Light& light : lights)
     {
-      for (int offset : { RELIEF_VERTICAL, RELIEF_SURFACE_NORMAL })
+      for (int offset : AllOffsets)
       {
         ReliefMedium medium = Sunk(0.4, offset);
         Light other = light;

@@ -371,7 +371,7 @@ TEST(RayThickness, Floor)
     { 1.75, Lamp(4.0, 4.0, 1.9), 0.15 },    // p' below the floor, lamp inside
     { -10.0, Lamp(4.0, 4.0, -8.5), 10.0 },  // lamp in the material far below
   };
-  for (int offset : { RELIEF_VERTICAL, RELIEF_SURFACE_NORMAL }) // the same where n = (0, 0, 1)
+  for (int offset : AllOffsets) // the same where n = (0, 0, 1)
   {
     for (const Case& c : cases)
     {

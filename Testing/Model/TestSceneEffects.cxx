@@ -3,6 +3,8 @@
 // What a scene does not call for is not done, and what it does, is.
 #include "ScenePicture.h"
 
+#include <algorithm>
+
 using namespace relief;
 
 // What the scene does not call for is not done (Documentation/Model.md).

@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 using namespace relief;
 
 TEST(SceneShading, LightsAddUp)
@@ -250,44 +252,23 @@ TEST(SceneShading, PiecesEqualWhole)
 {
   Terrain terrain = Hills();
   Random random(Seed());
-  for (int variant = 0; variant < 4; ++variant)
+  for (int variant = 0; variant < 7; ++variant)
   {
     Prepared prepared(terrain, variant != 1);
     Scene scene = Rich();
     scene.medium.tolerance = 0.02;
-    scene.medium.offset = variant == 2 ? f64::RELIEF_SURFACE_NORMAL : f64::RELIEF_VERTICAL;
+    scene.medium.offset = variant == 2 ? f64::RELIEF_SURFACE_NORMAL
+      : variant >= 4                   ? f64::RELIEF_TANGENT_PLANE
+                                       : f64::RELIEF_VERTICAL;
+    scene.medium.depth = variant == 5 ? 0.0 : scene.medium.depth;
+    scene.medium = variant == 6 ? WithFloor(scene.medium, 0.0) : scene.medium;
     scene.integrator = variant == 3 ? Integrator::FixedStep : Integrator::Exact;
     Picture whole = Shade(prepared.Field, scene, AllLayers);
     for (int number = 0; number < 5; ++number)
     {
-      std::vector<int> columns = { 0, terrain.columns };
-      std::vector<int> rows = { 0, terrain.rows };
-      for (int cut = 0; cut < 4; ++cut)
-      {
-        columns.push_back(random.Integer(0, terrain.columns));
-        rows.push_back(random.Integer(0, terrain.rows));
-      }
-      std::sort(columns.begin(), columns.end());
-      std::sort(rows.begin(), rows.end());
-      std::vector<Part> parts;
-      for (std::size_t j = rows.size() - 1; j > 0; --j)
-      {
-        for (std::size_t i = 1; i < columns.size(); ++i)
-        {
-          parts.push_back({ columns[i - 1], columns[i], rows[j - 1], rows[j] });
-        }
-      }
-      Picture pieces = Shade(prepared.Field, scene, AllLayers, parts);
       SCOPED_TRACE(::testing::Message() << "RELIEF_SEED=" << Seed() << " variant " << variant);
-      EXPECT_TRUE(Equal(pieces.rgba, whole.rgba));
-      EXPECT_EQ(pieces.rgba8, whole.rgba8);
-      EXPECT_TRUE(Equal(pieces.illumination, whole.illumination));
-      EXPECT_TRUE(Equal(pieces.thickness, whole.thickness));
-      EXPECT_TRUE(Equal(pieces.normals, whole.normals));
-      EXPECT_TRUE(Equal(pieces.base, whole.base));
-      EXPECT_TRUE(Equal(pieces.diffuse, whole.diffuse));
-      EXPECT_TRUE(Equal(pieces.scatter, whole.scatter));
-      EXPECT_TRUE(Equal(pieces.specular, whole.specular));
+      const std::vector<Part> parts = RandomParts(terrain.columns, terrain.rows, random);
+      ExpectEqual(Shade(prepared.Field, scene, AllLayers, parts), whole);
     }
   }
 }
@@ -409,4 +390,20 @@ TEST(SceneShading, Tolerance)
     }
     EXPECT_LT(cells, exact.cells);
   }
+}
+
+TEST(SceneShading, WantsPaddingWhereSunsAreSwept)
+{
+  relief::Scene scene;
+  EXPECT_TRUE(relief::SceneShading::WantsPadding(scene, 64));
+  EXPECT_FALSE(relief::SceneShading::WantsPadding(scene, 63));
+  scene.medium.useFloor = true;
+  EXPECT_TRUE(relief::SceneShading::WantsPadding(scene, 64));
+  scene.medium.useFloor = false;
+  scene.medium.offset = relief::f64::RELIEF_SURFACE_NORMAL;
+  EXPECT_FALSE(relief::SceneShading::WantsPadding(scene, 1000));
+  scene.medium.offset = relief::f64::RELIEF_TANGENT_PLANE;
+  EXPECT_TRUE(relief::SceneShading::WantsPadding(scene, 64));
+  scene.integrator = relief::Integrator::FixedStep;
+  EXPECT_FALSE(relief::SceneShading::WantsPadding(scene, 1000));
 }

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -19,11 +20,24 @@
 constexpr double Pi = 3.14159265358979323846;
 constexpr double NoData = std::numeric_limits<double>::quiet_NaN();
 
-/// Seed of every random scene, overridable to look for others: RELIEF_SEED=7 ctest -L model.
+/// Seed of every random scene, overridable to look for others: RELIEF_SEED=7 ctest -L model, or
+/// RELIEF_SEED=fresh for one that never was before, which is printed.
 inline std::uint64_t Seed()
 {
-  const char* text = std::getenv("RELIEF_SEED");
-  return text ? std::strtoull(text, nullptr, 10) : 20170501;
+  auto choose = []() -> std::uint64_t
+  {
+    const char* text = std::getenv("RELIEF_SEED");
+    if (text && std::string(text) == "fresh")
+    {
+      std::random_device device;
+      const std::uint64_t seed = (static_cast<std::uint64_t>(device()) << 32) | device();
+      std::printf("RELIEF_SEED=%llu\n", static_cast<unsigned long long>(seed));
+      return seed;
+    }
+    return text ? std::strtoull(text, nullptr, 10) : 20170501;
+  };
+  static const std::uint64_t seed = choose();
+  return seed;
 }
 
 /// Random numbers that are the same everywhere, which the standard's distributions are not.
@@ -197,6 +211,17 @@ inline relief::Light Lamp(double x, double y, double z)
   light.vector = glm::dvec3(x, y, z);
   light.positional = true;
   return light;
+}
+
+/// Every way down to p'.
+constexpr int AllOffsets[] = { relief::f64::RELIEF_VERTICAL, relief::f64::RELIEF_SURFACE_NORMAL,
+  relief::f64::RELIEF_TANGENT_PLANE };
+
+inline const char* NameOfOffset(int offset)
+{
+  return offset == relief::f64::RELIEF_VERTICAL    ? "Vertical"
+    : offset == relief::f64::RELIEF_SURFACE_NORMAL ? "SurfaceNormal"
+                                                   : "TangentPlane";
 }
 
 /// Reciprocal attenuation, exact, without a floor.

@@ -195,10 +195,191 @@ inline Real PositiveLength(Real s0, Real s1, Real g0, Real gm, Real g1)
   return share * (s1 - s0);
 }
 
+/// Surface normal by central differences, one-sided beside an edge or a hole, level where neither
+/// neighbour has data.
+inline glm::dvec3 Normal(const Terrain& terrain, int i, int j)
+{
+  auto slope = [](double before, double here, double after, double spacing)
+  {
+    double lo = std::isnan(before) ? here : before;
+    double hi = std::isnan(after) ? here : after;
+    int steps = (std::isnan(before) ? 0 : 1) + (std::isnan(after) ? 0 : 1);
+    return steps == 0 ? 0.0 : (hi - lo) / (steps * spacing);
+  };
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double here = terrain.At(i, j);
+  double x = slope(i > 0 ? terrain.At(i - 1, j) : none, here,
+    i + 1 < terrain.columns ? terrain.At(i + 1, j) : none, terrain.spacingX);
+  double y = slope(j > 0 ? terrain.At(i, j - 1) : none, here,
+    j + 1 < terrain.rows ? terrain.At(i, j + 1) : none, terrain.spacingY);
+  double length = std::sqrt(x * x + y * y + 1.0);
+  return glm::dvec3(-x / length, -y / length, 1.0 / length);
+}
+
+/// Lengths at which a line meets grid lines, sorted, from 0 to infinity.
+inline std::vector<Real> CutsOf(const View& view, Real x, Real y, Real stepX, Real stepY)
+{
+  std::vector<Real> cuts = { 0 };
+  auto cross = [&cuts](Real start, Real step, int first, int last)
+  {
+    for (int k = first; step != 0 && k <= last; ++k)
+    {
+      const Real s = (k - start) / step;
+      if (s > 0)
+      {
+        cuts.push_back(s);
+      }
+    }
+  };
+  cross(x, stepX, view.firstX, view.lastX);
+  cross(y, stepY, view.firstY, view.lastY);
+  std::sort(cuts.begin(), cuts.end());
+  cuts.push_back(Infinity);
+  return cuts;
+}
+
+/// A cell, and whether it is outside the image or a hole.
+struct Place
+{
+  int i;
+  int j;
+  bool outside;
+  bool hole;
+};
+
+/// The cell at a place on a line; beside a line along a grid line one with data, if there is one.
+inline Place PlaceAt(const View& view, Real x, Real y, bool alongX, bool alongY)
+{
+  Place place = { view.CellX(x), view.CellY(y), false, false };
+  place.outside = x < view.firstX || y < view.firstY || x > view.lastX || y > view.lastY ||
+    view.lastX == view.firstX || view.lastY == view.firstY;
+  if (place.outside)
+  {
+    return place;
+  }
+  place.hole = view.IsHole(place.i, place.j);
+  if (place.hole && alongX && y == place.j && place.j > view.firstY &&
+    !view.IsHole(place.i, place.j - 1))
+  {
+    --place.j;
+    place.hole = false;
+  }
+  else if (place.hole && alongY && x == place.i && place.i > view.firstX &&
+    !view.IsHole(place.i - 1, place.j))
+  {
+    --place.i;
+    place.hole = false;
+  }
+  return place;
+}
+
+/// How much the ground rises, per length of a ray, behind the place where the ray left the data at
+/// s. To what heights raised by rounding make of d belongs that this rise may be greater, too.
+inline Real RiseBehind(const Terrain& terrain, const relief::f64::ReliefMedium& medium,
+  const Ray& ray, const View& view, Real left, bool sideways, Real raise)
+{
+  const Real alongX = ray.stepX * terrain.spacingX;
+  const Real alongY = ray.stepY * terrain.spacingY;
+  const Real across = std::hypot(alongX, alongY);
+  if (across == 0 || terrain.columns < 2 || terrain.rows < 2)
+  {
+    return 0;
+  }
+  const Real shortest = std::max(Real(std::min(terrain.spacingX, terrain.spacingY)) / across,
+    ray.stepZ > 0 ? medium.depth / ray.stepZ : Infinity);
+  const Real reach = std::max(left, shortest);
+  Real x = ray.x + left * ray.stepX;
+  Real y = ray.y + left * ray.stepY;
+  // Where a ray crosses a line it is on it.
+  auto onLine = [&](Real place, Real start, Real step)
+  {
+    const Real digits = 1e-15L * (std::abs(start) + left * std::abs(step));
+    return std::abs(place - std::round(place)) < digits ? std::round(place) : place;
+  };
+  x = onLine(x, ray.x, ray.stepX);
+  y = onLine(y, ray.y, ray.stepY);
+  const std::vector<Real> cuts = CutsOf(view, x, y, -ray.stepX, -ray.stepY);
+  bool met = false;
+  bool stopped = false; // by a hole
+  Real first = 0;
+  Real last = 0;
+  Real firstHeight = 0;
+  Real lastHeight = 0;
+  for (std::size_t k = 0; k + 1 < cuts.size() && cuts[k] < reach; ++k)
+  {
+    const Real u0 = cuts[k];
+    const Real u1 = cuts[k + 1];
+    if (u1 <= u0)
+    {
+      continue;
+    }
+    const Real middle = std::isinf(u1) ? u0 + 1 : (u0 + u1) / 2;
+    const Place place =
+      PlaceAt(view, x - middle * ray.stepX, y - middle * ray.stepY, ray.stepY == 0, ray.stepX == 0);
+    if (place.outside || place.hole)
+    {
+      // Does not count where the line only touches it.
+      if (u1 - u0 <= Real(1e-6f) * (left + u1))
+      {
+        continue;
+      }
+      stopped = !place.outside;
+      break;
+    }
+    auto height = [&](Real u)
+    { return view.Patch(place.i, place.j, x - u * ray.stepX, y - u * ray.stepY); };
+    first = met ? first : u0;
+    firstHeight = met ? firstHeight : height(u0);
+    met = true;
+    last = std::min(u1, reach);
+    lastHeight = height(last);
+  }
+  // Data in front of the start only say nothing.
+  const bool outside =
+    ray.x < view.firstX || ray.x > view.lastX || ray.y < view.firstY || ray.y > view.lastY;
+  if (outside || (stopped && left - last > Real(1e-6f) * left))
+  {
+    return 0;
+  }
+  if (met && last - first > Real(1e-6f) * (left + last))
+  {
+    return (firstHeight - lastHeight + 2 * raise) / (last - first);
+  }
+  // A corner: the tangent plane of its sample. In a hole, level.
+  const int ci = std::clamp(
+    static_cast<int>(std::round(std::clamp(x, Real(-1e6), Real(1e6)))), view.firstX, view.lastX);
+  const int cj = std::clamp(
+    static_cast<int>(std::round(std::clamp(y, Real(-1e6), Real(1e6)))), view.firstY, view.lastY);
+  const int i = ray.i + ci;
+  const int j = ray.j + cj;
+  const bool elsewhere = left > 0 ? std::max(std::abs(x - ci), std::abs(y - cj)) > 1e-3L : sideways;
+  if (elsewhere || std::isnan(terrain.At(i, j)))
+  {
+    return 0;
+  }
+  auto slope = [](Real before, Real here, Real after, Real spacing)
+  {
+    const Real lo = std::isnan(before) ? here : before;
+    const Real hi = std::isnan(after) ? here : after;
+    const int steps = (std::isnan(before) ? 0 : 1) + (std::isnan(after) ? 0 : 1);
+    return steps == 0 ? Real(0) : (hi - lo) / (steps * spacing);
+  };
+  auto at = [&](int di, int dj)
+  {
+    const bool within = ci + di >= view.firstX && ci + di <= view.lastX && cj + dj >= view.firstY &&
+      cj + dj <= view.lastY;
+    return within ? view.At(ci + di, cj + dj) : std::numeric_limits<Real>::quiet_NaN();
+  };
+  const Real steeper = 2 * raise * (std::abs(ray.stepX) + std::abs(ray.stepY));
+  return slope(at(-1, 0), at(0, 0), at(1, 0), terrain.spacingX) * alongX +
+    slope(at(0, -1), at(0, 0), at(0, 1), terrain.spacingY) * alongY + steeper;
+}
+
 /// r along a ray.
 inline Real Thickness(
   const Terrain& terrain, const relief::f64::ReliefMedium& medium, Ray ray, const Nudge& nudge = {})
 {
+  const bool sideways = ray.x != 0 || ray.y != 0;
   ray.x += nudge.x;
   ray.y += nudge.y;
   Real alongX = ray.stepX * terrain.spacingX;
@@ -206,36 +387,17 @@ inline Real Thickness(
   ray.stepX = (alongX - nudge.turn * alongY) / terrain.spacingX;
   ray.stepY = (alongY + nudge.turn * alongX) / terrain.spacingY;
 
-  // Where the ray meets grid lines.
-  std::vector<Real> cuts = { 0 };
   const View view(terrain, ray, nudge);
-  auto cross = [&cuts, &ray](Real start, Real step, int first, int last)
-  {
-    for (int k = first; step != 0 && k <= last; ++k)
-    {
-      Real s = (k - start) / step;
-      if (s > 0)
-      {
-        cuts.push_back(s);
-      }
-    }
-  };
-  cross(ray.x, ray.stepX, view.firstX, view.lastX);
-  cross(ray.y, ray.stepY, view.firstY, view.lastY);
-  std::sort(cuts.begin(), cuts.end());
-  cuts.push_back(Infinity);
-
+  const std::vector<Real> cuts = CutsOf(view, ray.x, ray.y, ray.stepX, ray.stepY);
   Real held = ClampedHeight(view, ray.x, ray.y);
   bool holding = false;
   Real inside = 0;
+  Real left = 0; // where data ended
+  Real kept = 0; // and what was inside till then
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
   {
     Real s0 = cuts[k];
     Real s1 = cuts[k + 1];
-    if (s0 >= ray.length)
-    {
-      break;
-    }
     if (s1 <= s0)
     {
       continue;
@@ -243,10 +405,7 @@ inline Real Thickness(
     Real middle = std::isinf(s1) ? s0 + 1 : (s0 + s1) / 2;
     Real x = ray.x + middle * ray.stepX;
     Real y = ray.y + middle * ray.stepY;
-    int i = view.CellX(x);
-    int j = view.CellY(y);
-    bool outside = x < view.firstX || y < view.firstY || x > view.lastX || y > view.lastY ||
-      terrain.columns < 2 || terrain.rows < 2;
+    const Place place = PlaceAt(view, x, y, ray.stepY == 0, ray.stepX == 0);
     int ni = view.CellOf(x + Real(0.5), view.firstX, view.lastX + 1);
     int nj = view.CellOf(y + Real(0.5), view.firstY, view.lastY + 1);
     Real corner = view.At(ni, nj);
@@ -257,14 +416,22 @@ inline Real Thickness(
     }
     // A ray upright in a cell never leaves it; its surface is that of its start.
     bool upright = ray.stepX == 0 && ray.stepY == 0;
-    bool level = tied || outside || upright || view.IsHole(i, j);
+    bool level = tied || place.outside || upright || place.hole;
     auto height = [&](Real s)
-    { return level ? held : view.Patch(i, j, ray.x + s * ray.stepX, ray.y + s * ray.stepY); };
+    {
+      return level ? held
+                   : view.Patch(place.i, place.j, ray.x + s * ray.stepX, ray.y + s * ray.stepY);
+    };
     // A cell of which the ray only touches a corner does not end a hole.
     level = level || (holding && s1 - s0 <= Real(1e-6f) * s1);
     if (!level && !std::isinf(s1))
     {
       held = height(s1);
+    }
+    if (level && !holding)
+    {
+      left = s0;
+      kept = inside;
     }
     holding = level;
 
@@ -287,6 +454,14 @@ inline Real Thickness(
         height(half) - (ray.z + half * ray.stepZ), height(to) - (ray.z + to * ray.stepZ));
     }
   }
+  // Beyond the data the ground goes on as it came, for a ray that rises.
+  const Real below = held - (ray.z + left * ray.stepZ);
+  if (holding && below > 0 && ray.stepZ > 0 && !medium.useFloor && left < ray.length)
+  {
+    const Real rise = RiseBehind(terrain, medium, ray, view, left, sideways, nudge.raise);
+    const Real fall = ray.stepZ - std::min(rise, ray.stepZ / 2);
+    inside = kept + std::min(fall > 0 ? below / fall : Infinity, ray.length - left);
+  }
   return inside;
 }
 
@@ -301,28 +476,7 @@ inline Real Illumination(const relief::f64::ReliefMedium& medium, Real r)
   return r <= t ? 1 : t / r;
 }
 
-/// Surface normal by central differences, one-sided beside an edge or a hole, level where neither
-/// neighbour has data.
-inline glm::dvec3 Normal(const Terrain& terrain, int i, int j)
-{
-  auto slope = [](double before, double here, double after, double spacing)
-  {
-    double lo = std::isnan(before) ? here : before;
-    double hi = std::isnan(after) ? here : after;
-    int steps = (std::isnan(before) ? 0 : 1) + (std::isnan(after) ? 0 : 1);
-    return steps == 0 ? 0.0 : (hi - lo) / (steps * spacing);
-  };
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  double here = terrain.At(i, j);
-  double x = slope(i > 0 ? terrain.At(i - 1, j) : none, here,
-    i + 1 < terrain.columns ? terrain.At(i + 1, j) : none, terrain.spacingX);
-  double y = slope(j > 0 ? terrain.At(i, j - 1) : none, here,
-    j + 1 < terrain.rows ? terrain.At(i, j + 1) : none, terrain.spacingY);
-  double length = std::sqrt(x * x + y * y + 1.0);
-  return glm::dvec3(-x / length, -y / length, 1.0 / length);
-}
-
-/// The ray of a sample: from p' = p - t n toward the light.
+/// The ray of a sample: from p' toward the light.
 inline Ray RayOf(const Terrain& terrain, const relief::f64::ReliefMedium& medium,
   const relief::Light& light, int i, int j)
 {
@@ -330,6 +484,10 @@ inline Ray RayOf(const Terrain& terrain, const relief::f64::ReliefMedium& medium
                                                                      : glm::dvec3(0.0, 0.0, 1.0);
   Real t = medium.depth;
   Real offset[3] = { -t * n.x, -t * n.y, -t * n.z };
+  if (medium.offset == relief::f64::RELIEF_TANGENT_PLANE && terrain.columns > 1 && terrain.rows > 1)
+  {
+    offset[2] = -std::min(t / Real(Normal(terrain, i, j).z), 2 * t);
+  }
   Ray ray;
   ray.base = terrain.At(i, j);
   ray.i = i;

@@ -1,16 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package offers every class, with its help, and reports errors as VTK does."""
 
+import os
+import subprocess
+import sys
 import unittest
 
 import reliefshading
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm
 
-CLASSES = ("vtkImageReliefShading", "vtkOpenEXRLayerWriter", "vtkOpenImageIOReader",
-           "vtkOpenImageIOWriter", "vtkReliefEnvironment", "vtkReliefLightRepresentation",
-           "vtkReliefLightWidget", "vtkReliefMaterial", "vtkReliefScene", "vtkReliefSceneFile",
-           "vtkReliefStatistics")
+# By the module that brings them.
+ROOMS = {
+    "Imaging": ("vtkImageReliefShading", "vtkReliefAccuracyReport", "vtkReliefEnvironment",
+                "vtkReliefMaterial", "vtkReliefParameters", "vtkReliefScene", "vtkReliefStatistics",
+                "vtkReliefStepSmoothing", "vtkReliefVerification"),
+    "Rendering": ("vtkReliefImageMapper", "vtkOpenGLReliefImageMapper"),
+    "Interaction": ("vtkReliefLightRepresentation", "vtkReliefLightWidget"),
+    "IO": ("vtkOpenEXRLayerWriter", "vtkOpenImageIOReader", "vtkOpenImageIOWriter",
+           "vtkReliefEnvironmentImage", "vtkReliefSceneFile"),
+    "Raster": ("vtkReliefRasterReader", "vtkReliefRasterWriter"),
+}
+BUILT = os.environ.get("RELIEFSHADING_ROOMS", " ".join(ROOMS)).split()
+CLASSES = [name for room in BUILT for name in ROOMS[room]]
 
 
 class TestImport(unittest.TestCase):
@@ -19,9 +31,28 @@ class TestImport(unittest.TestCase):
             with self.subTest(name):
                 instance = getattr(reliefshading, name)()
                 self.assertIsInstance(instance, vtkObject)
-                self.assertEqual(instance.GetClassName(), name)
-                self.assertIn(name, str(instance))
+                self.assertIn(instance.GetClassName(), (name, name.replace("vtkRelief", "vtkOpenGLRelief")))
+                self.assertIn(instance.GetClassName(), str(instance))
         self.assertTrue(issubclass(reliefshading.vtkImageReliefShading, vtkImageAlgorithm))
+
+    def test_names(self):
+        self.assertEqual(sorted(reliefshading.__all__), sorted(["__version__", "parameters", *CLASSES]))
+        self.assertLessEqual(set(reliefshading.__all__), set(dir(reliefshading)))
+        with self.assertRaises(AttributeError):
+            reliefshading.vtkNoSuchClass
+        everything = {}
+        exec("from reliefshading import *", everything)
+        self.assertLessEqual(set(CLASSES), set(everything))
+
+    def test_loads_what_is_used(self):
+        """The filter brings neither OpenGL nor the libraries of image formats."""
+        program = ("import reliefshading; reliefshading.vtkImageReliefShading(); "
+                   "print(open('/proc/self/maps', encoding='utf-8').read())")
+        maps = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True,
+                              text=True).stdout
+        self.assertIn("libvtkReliefShading", maps)
+        for library in ("libGL", "OpenImageIO", "OpenEXR", "libgdal", "vtkRenderingReliefShading"):
+            self.assertNotIn(library, maps)
 
     def test_help(self):
         for name in CLASSES:
@@ -38,6 +69,8 @@ class TestImport(unittest.TestCase):
         self.assertEqual(material.GetOffsetMode(), reliefshading.vtkReliefMaterial.SurfaceNormal)
         material.SetOffsetMode(reliefshading.vtkReliefMaterial.Vertical)
         self.assertEqual(material.GetOffsetMode(), 0)
+        material.SetOffsetModeToTangentPlane()
+        self.assertEqual(material.GetOffsetMode(), reliefshading.vtkReliefMaterial.TangentPlane)
 
     def test_colors_are_tuples(self):
         material = reliefshading.vtkReliefMaterial()

@@ -48,7 +48,7 @@ class TestPipeline(unittest.TestCase):
     def test_same_values_change_nothing(self):
         self.material.SetDiffuseColor(self.material.GetDiffuseColor())
         self.material.SetSpecularCoefficient(self.material.GetSpecularCoefficient())
-        self.material.SetOffsetModeToVertical()
+        self.material.SetOffsetModeToTangentPlane()
         self.scene.SetHeightScale(1.0)
         self.scene.SetTolerance(self.scene.GetTolerance())
         self.shading.SetScene(self.scene)

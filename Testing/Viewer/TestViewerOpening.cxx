@@ -10,9 +10,11 @@
 #include <QAction>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QProcess>
 #include <QSettings>
+#include <QTextBrowser>
 
 using namespace reliefviewer;
 
@@ -24,6 +26,9 @@ private slots:
   void empty();
   void heights();
   void georeference();
+  void heightsWithoutUnit();
+  void turnedRasters();
+  void doubtfulHeightsAreTold();
   void byDrop();
   void byDialog();
   void byArgument();
@@ -106,6 +111,116 @@ void TestViewerOpening::georeference()
   QCOMPARE(field.Frame.CoordinateToMap(0, 0.0), 1015.0);
   QCOMPARE(field.Frame.CoordinateToMap(1, 30.0), 2045.0);
   QCOMPARE(field.Frame.CoordinateToHeights(0, 1045.0), 30.0);
+}
+
+//------------------------------------------------------------------------------
+// Heights without a unit are scaled, unless somebody has chosen a scale.
+void TestViewerOpening::heightsWithoutUnit()
+{
+  QByteArray text = "P2 40 30 255\n";
+  for (int k = 0; k < 40 * 30; ++k)
+  {
+    text += QByteArray::number(k % 40 < 20 ? 12 * (k % 20) : 240 - 12 * (k % 20)) + "\n";
+  }
+  this->Write("roof.pgm", text);
+  const Window window = this->NewWindow(this->Path("roof.pgm"));
+  Document* opened = window->Opened();
+  const auto scale = [opened] { return opened->Scene()->GetHeightScale(); };
+  const double fitted = opened->OpenedField().FittingScale;
+  QVERIFY(fitted > 0.0 && fitted < 0.1); // of slopes of 12
+  QVERIFY(this->Said.takeFirst().contains(QString::number(fitted)));
+  QCOMPARE(scale(), fitted);
+  QVERIFY(!window->isWindowModified());
+  QCOMPARE(opened->Steps()->count(), 0);
+
+  // Another field has a scale of its own, for older steps too.
+  Type(Find(window.get(), "density"), "2");
+  QVERIFY(window->Open(this->Hills()));
+  QCOMPARE(scale(), 1.0);
+  Trigger(window.get(), "undo");
+  QCOMPARE(scale(), 1.0);
+  Trigger(window.get(), "redo");
+  QCOMPARE(scale(), 1.0);
+  QVERIFY(window->Open(this->Path("roof.pgm")));
+  QCOMPARE(scale(), fitted);
+
+  // What was chosen stays, by hand or by a scene's file; one that names none gives way.
+  Type(Find(window.get(), "heightScale"), "3");
+  QVERIFY(window->Open(this->Hills()));
+  QCOMPARE(scale(), 3.0);
+  opened->Steps()->setClean();
+  this->Write("named.json", R"({"reliefScene": 1, "heightScale": 1})");
+  this->Write("unnamed.json", R"({"reliefScene": 1})");
+  QVERIFY(window->Open(this->Path("named.json")));
+  QVERIFY(window->Open(this->Path("roof.pgm")));
+  QCOMPARE(scale(), 1.0);
+  QVERIFY(window->Open(this->Path("unnamed.json")));
+  QCOMPARE(scale(), fitted);
+  this->Said.clear(); // the scale once more
+}
+
+//------------------------------------------------------------------------------
+// A raster that is turned by a quarter on its map looks as one whose samples are.
+void TestViewerOpening::turnedRasters()
+{
+#ifndef RELIEFRASTER_USE_GDAL
+  QSKIP("this was built without GDAL");
+#endif
+  this->Hills();
+  this->Write("turned.vrt",
+    "<VRTDataset rasterXSize='64' rasterYSize='48'>"
+    "<GeoTransform>2440, 0, -30, 3920, -30, 0</GeoTransform>"
+    "<VRTRasterBand dataType='Float32' band='1'><SimpleSource>"
+    "<SourceFilename relativeToVRT='1'>hills.asc</SourceFilename>"
+    "</SimpleSource></VRTRasterBand></VRTDataset>");
+  const QList<QByteArray> lines = this->Read("hills.asc").split('\n');
+  QByteArray samples = "ncols 48\nnrows 64\nxllcorner 1000\nyllcorner 2000\ncellsize 30\n";
+  for (int row = 0; row < 64; ++row)
+  {
+    for (int column = 0; column < 48; ++column)
+    {
+      samples += lines[5 + 47 - column].split(' ')[row] + (column < 47 ? ' ' : '\n');
+    }
+  }
+  this->Write("straight.asc", samples);
+
+  const Window straight = this->NewWindow(this->Path("straight.asc"));
+  QImage expected;
+  COMPLETE_PICTURE(expected, straight);
+  const Window turned = this->NewWindow(this->Path("turned.vrt"));
+  QImage picture;
+  COMPLETE_PICTURE(picture, turned);
+  QCOMPARE(picture.size(), expected.size());
+  int different = 0;
+  for (int y = 0; y < picture.height(); ++y)
+  {
+    for (int x = 0; x < picture.width(); ++x)
+    {
+      different += std::abs(qGray(picture.pixel(x, y)) - qGray(expected.pixel(x, y))) > 3;
+    }
+  }
+  // Where pixels lie on the edge of samples, either one may be shown.
+  QVERIFY2(
+    different * 50 < picture.width() * picture.height(), qPrintable(QString::number(different)));
+  // The sample under the mouse, at the north-eastern end, is the first one of the file.
+  QWidget* view = turned->View();
+  const Field& field = turned->Opened()->OpenedField();
+  Mouse(view, QEvent::MouseMove, turned->View()->ToWidget(field.At(0, 1.0), field.At(1, 1.0)));
+  const QString text = Find<QLabel>(turned.get(), "sampleText")->text();
+  QVERIFY2(text.contains("x 242") && text.contains("y 390"), qPrintable(text));
+  const QString first = QString::number(lines[5].split(' ')[0].toDouble(), 'g', 7);
+  QVERIFY2(text.contains("height " + first), qPrintable(text));
+}
+
+//------------------------------------------------------------------------------
+void TestViewerOpening::doubtfulHeightsAreTold()
+{
+  this->Write("marked.asc",
+    "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n-9999 -9999 7\n8 9 10\n");
+  const Window window = this->NewWindow(this->Path("marked.asc"));
+  QVERIFY(window->Opened()->HasField());
+  QVERIFY(!this->Said.isEmpty());
+  QVERIFY(this->Said.takeFirst().contains("-9999 in 2 of 6 samples"));
 }
 
 //------------------------------------------------------------------------------
@@ -280,7 +395,12 @@ void TestViewerOpening::helpListsTheKeys()
 {
   const Window window = this->NewWindow();
   QString text;
-  Answer(QMessageBox::Ok, &text);
+  InDialog<QDialog>(
+    [&text](QDialog* dialog)
+    {
+      text = dialog->findChild<QTextBrowser*>("shortcutsText")->toPlainText();
+      dialog->reject();
+    });
   Trigger(window.get(), "shortcuts");
   for (const char* part :
     { "Ctrl+O", "Ctrl+Z", "Ctrl+S", "Ctrl+E", "F11", "Fit heights", "Drag a dot" })

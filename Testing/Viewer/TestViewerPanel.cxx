@@ -4,8 +4,10 @@
 
 #include "ViewerTest.h"
 
+#include "SceneParameters.h"
 #include "Section.h"
 
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkReliefEnvironment.h"
@@ -79,6 +81,8 @@ private slots:
   void exactNumbersStayExact();
   void wheelScrollsThePanel();
   void nothingIsOutOfReach();
+  void everyParameterHasAField();
+  void infiniteRadius();
 
 private:
   Window With(const char* scene);
@@ -415,14 +419,14 @@ void TestViewerPanel::fitHeights()
   this->Write("flat.asc", "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n5 5 5\n5 5 5\n");
   this->Write("tiny.asc",
     "ncols 11\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
-    "0 1 2 3 4 5 6 7 8 9 10000\n0 0 0 0 0 0 0 0 0 0 0\n");
+    "0 1e5 0 1e5 0 1e5 0 1e5 0 1e5 0\n0 1e5 0 1e5 0 1e5 0 1e5 0 1e5 0\n");
   const Window window = this->NewWindow(this->Path("flat.asc"));
   Trigger(window.get(), "fitHeights");
   QVERIFY(this->Said.takeFirst().contains("flat"));
   QCOMPARE(window->Opened()->Steps()->count(), 0);
   QVERIFY(window->Open(this->Path("tiny.asc")));
   Trigger(window.get(), "fitHeights");
-  QCOMPARE(window->Opened()->Scene()->GetHeightScale(), 1e-4);
+  QCOMPARE(window->Opened()->Scene()->GetHeightScale(), 7e-6);
   QCOMPARE(window->Opened()->Steps()->count(), 1);
 }
 
@@ -479,15 +483,22 @@ void TestViewerPanel::environmentFromPicture()
   QVERIFY(QString(environment->GetFileName()).endsWith("sky.png"));
   QVERIFY(!window->isWindowModified());
 
-  // Undo goes back to the sky, and says so where it cannot.
+  // Undo goes back to the sky and, without a file, to the picture, which is the very same.
+  vtkImageData* image = environment->GetImage();
   window->Opened()->Steps()->undo();
   QCOMPARE(window->Opened()->Scene()->GetEnvironment()->GetImageSource(),
     static_cast<int>(vtkReliefEnvironment::ClearSky));
   QVERIFY(QFile::remove(this->Path("sky.png")));
-  const std::string text = window->Opened()->Text();
   window->Opened()->Steps()->redo();
-  QVERIFY(this->Said.takeFirst().contains("sky.png"));
-  QVERIFY(window->Opened()->Text() == text);
+  environment = window->Opened()->Scene()->GetEnvironment();
+  QVERIFY(environment->GetImage() == image);
+  QVERIFY(QString(environment->GetFileName()).endsWith("sky.png"));
+  Type(Find(window.get(), "environmentTilt"), "20");
+  window->Opened()->Steps()->undo();
+  QVERIFY(window->Opened()->Scene()->GetEnvironment()->GetImage() == image);
+  QImage again;
+  COMPLETE_PICTURE(again, window);
+  QCOMPARE(again, after);
 }
 
 //------------------------------------------------------------------------------
@@ -502,7 +513,7 @@ void TestViewerPanel::numbersBeyondTheSlider()
   Type(Find(window.get(), "specularCoefficient"), "1.5");
   QVERIFY(window->Opened()->Scene()->GetMaterial()->GetSpecularCoefficient() <= 1.0);
   Type(Find(window.get(), "tolerance"), "-1");
-  QCOMPARE(window->Opened()->Scene()->GetTolerance(), 0.002);
+  QCOMPARE(window->Opened()->Scene()->GetTolerance(), 0.0003);
   Type(Find(window.get(), "heightScale"), "1e-3");
   QCOMPARE(window->Opened()->Scene()->GetHeightScale(), 1e-3);
 }
@@ -562,6 +573,43 @@ void TestViewerPanel::nothingIsOutOfReach()
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// What is in the table is in the panel, and shows what it means.
+void TestViewerPanel::everyParameterHasAField()
+{
+  const Window window = this->With(Plain);
+  QStringList there;
+  for (QWidget* widget : window->findChildren<QWidget*>())
+  {
+    const QString name = widget->property("parameter").toString();
+    if (!name.isEmpty())
+    {
+      there += name;
+      QVERIFY2(name == "Light.Switch" || !widget->toolTip().isEmpty(), qPrintable(name));
+    }
+  }
+  for (const auto& parameter : relief::parameters::All())
+  {
+    const QString name =
+      QString("%1.%2").arg(relief::parameters::NameOf(parameter.Of), parameter.Name);
+    QVERIFY2(there.contains(name), qPrintable(name));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestViewerPanel::infiniteRadius()
+{
+  const Window window = this->With(Sky);
+  auto* box = Find(window.get(), "environmentRadius")->findChild<QDoubleSpinBox*>("box");
+  const auto radius = [&] { return window->Opened()->Scene()->GetEnvironment()->GetRadius(); };
+  QCOMPARE(box->text(), QString("infinite"));
+  Type(Find(window.get(), "environmentRadius"), "5000");
+  QCOMPARE(radius(), 5000.0);
+  Type(Find(window.get(), "environmentRadius"), "0");
+  QVERIFY(std::isinf(radius()));
+  QCOMPARE(box->text(), QString("infinite"));
 }
 
 int main(int argc, char* argv[])

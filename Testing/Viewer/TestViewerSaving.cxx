@@ -36,6 +36,7 @@ private slots:
   void layers();
   void byDialogs();
   void failuresLeaveNothing();
+  void whatIsOpenIsKept();
   void cancelled();
   void sceneIsReopened();
   void closingAsks();
@@ -205,6 +206,49 @@ void TestViewerSaving::failuresLeaveNothing()
   QVERIFY(window->Opened()->SceneFile().isEmpty());
   // Afterwards all is well.
   QVERIFY(window->SavePicture(this->Path("fine.png")));
+}
+
+//------------------------------------------------------------------------------
+void TestViewerSaving::whatIsOpenIsKept()
+{
+  this->Write("sky.ppm", "P6 2 1 255\n......");
+  QVERIFY(this->Hills() == this->Path("hills.asc"));
+  this->Write(
+    "open.json", R"({"reliefScene": 1, "environment": {"image": "file", "file": "sky.ppm"}})");
+  const Window window = this->NewWindow(this->Path("hills.asc"));
+  QVERIFY(window->Open(this->Path("open.json")));
+  QVERIFY(QFile::link(this->Path("hills.asc"), this->Path("link.json")));
+  QVERIFY(QFile::link(this->Path("open.json"), this->Path("link.exr")));
+  const auto refuses =
+    [this](const QString& name, const QString& original, const std::function<bool(QString)>& save)
+  {
+    const QByteArray before = this->Read(original);
+    QString message;
+    Answer(QMessageBox::Ok, &message);
+    QVERIFY(!save(this->Path(name)));
+    QVERIFY2(message.startsWith(this->Path(name) + ": "), qPrintable(message));
+    QVERIFY2(message.endsWith("; choose another name"), qPrintable(message));
+    QCOMPARE(this->Read(original), before);
+    QVERIFY(!before.isEmpty());
+  };
+  const auto picture = [&window](const QString& file) { return window->SavePicture(file); };
+  const auto layers = [&window](const QString& file) { return window->SaveLayers(file); };
+  const auto scene = [&window](const QString& file) { return window->SaveScene(file); };
+  refuses("hills.asc", "hills.asc", picture);
+  refuses("../" + QFileInfo(this->Folder.path()).fileName() + "/hills.asc", "hills.asc", scene);
+  refuses("link.json", "hills.asc", scene);
+  QVERIFY(QFile::copy(this->Path("hills.asc"), this->Path("mask.asc")));
+  QVERIFY(window->OpenMask(this->Path("mask.asc")));
+  refuses("mask.asc", "mask.asc", picture);
+  refuses("mask.asc", "mask.asc", scene);
+  refuses("sky.ppm", "sky.ppm", picture);
+  refuses("sky.ppm", "sky.ppm", scene);
+  refuses("open.json", "open.json", picture);
+  refuses("link.exr", "open.json", layers);
+  QCOMPARE(window->Opened()->SceneFile(), this->Path("open.json"));
+  // The scene's own file is where it belongs.
+  QVERIFY(window->SaveScene(this->Path("open.json")));
+  QVERIFY(this->Read("open.json").contains("heightScale"));
 }
 
 //------------------------------------------------------------------------------

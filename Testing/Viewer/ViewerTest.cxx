@@ -28,7 +28,9 @@ using namespace reliefviewer;
 void ViewerTest::SetUp()
 {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling); // Qt 6 always does
+#endif
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
 }
 
@@ -77,6 +79,14 @@ void ViewerTest::cleanup()
 {
   const QString error = QString::fromStdString(reliefshade::takeError());
   QVERIFY2(error.isEmpty(), qPrintable(error));
+  // What pictures are opened with, and no complaint.
+  for (qsizetype at = this->Said.size() - 1; at >= 0; --at)
+  {
+    if (this->Said[at].startsWith(QStringLiteral("The heights have no unit")))
+    {
+      this->Said.removeAt(at);
+    }
+  }
   const QString said = this->Said.join(QStringLiteral("; "));
   this->Said.clear();
   QVERIFY2(said.isEmpty(), qPrintable(said));

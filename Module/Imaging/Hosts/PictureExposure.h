@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PictureExposure_h
+#define PictureExposure_h
+
+/// @file
+/// The exposure at which a scene is shown. Not installed.
+
+#include "vtkReliefShadingModule.h" // For export macro
+
+#include <cstdint>
+
+class vtkReliefScene;
+
+namespace relief
+{
+class HeightField;
+struct Scene;
+}
+
+namespace relief::hosts
+{
+struct PictureExposure
+{
+  double stops = 0.0;
+  /// What was traced to find it.
+  std::uint64_t rays = 0;
+  std::uint64_t cells = 0;
+};
+
+/// The scene's exposure, or, where it is automatic, the one that suits the picture (on all
+/// threads). `converted` is what the scene has become.
+VTKRELIEFSHADING_EXPORT PictureExposure FindExposure(
+  vtkReliefScene* scene, const HeightField& field, const Scene& converted);
+}
+
+#endif

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkReliefScene.h"
+
+#include "HeightScale.h"
+#include "SceneParameters.h"
+#include "vtkCollectionRange.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkReliefAngles.h"
+#include "vtkReliefEnvironment.h"
+#include "vtkReliefMaterial.h"
+#include "vtkReliefSetters.h"
+
+#include "ClearSky.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+vtkStandardNewMacro(vtkReliefScene);
+
+namespace parameters = relief::parameters;
+
+namespace
+{
+// vtkLight::DeepCopy shares the matrix, and leaves out the information that has the diameter.
+vtkSmartPointer<vtkLight> CopyOf(vtkLight* light)
+{
+  auto copy = vtkSmartPointer<vtkLight>::New();
+  copy->DeepCopy(light);
+  if (light->GetTransformMatrix())
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->DeepCopy(light->GetTransformMatrix());
+    copy->SetTransformMatrix(matrix);
+  }
+  parameters::Copy(light, copy);
+  return copy;
+}
+}
+
+vtkInformationKeyMacro(vtkReliefScene, ANGULAR_DIAMETER, Double);
+
+//------------------------------------------------------------------------------
+vtkReliefScene::vtkReliefScene()
+  : Material(vtkSmartPointer<vtkReliefMaterial>::New())
+{
+  parameters::SetDefaults(this);
+}
+
+//------------------------------------------------------------------------------
+vtkReliefScene::~vtkReliefScene() = default;
+
+//------------------------------------------------------------------------------
+// What each of these takes is in the table of parameters.
+void vtkReliefScene::SetHeightScale(double value)
+{
+  parameters::Set(this, this->HeightScale, value, "HeightScale");
+}
+
+void vtkReliefScene::SetIntegrator(int integrator)
+{
+  parameters::Set(this, this->Integrator, integrator, "Integrator");
+}
+
+void vtkReliefScene::SetExposure(double value)
+{
+  parameters::Set(this, this->Exposure, value, "Exposure");
+  if (this->Exposure == value) // it was taken
+  {
+    this->SetAutomaticExposure(false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetTolerance(double value)
+{
+  parameters::Set(this, this->Tolerance, value, "Tolerance");
+}
+
+void vtkReliefScene::SetNumberOfSteps(int value)
+{
+  parameters::Set(this, this->NumberOfSteps, value, "NumberOfSteps");
+}
+
+void vtkReliefScene::SetNumberOfSunSamples(int value)
+{
+  parameters::Set(this, this->NumberOfSunSamples, value, "NumberOfSunSamples");
+}
+
+//------------------------------------------------------------------------------
+double vtkReliefScene::FitHeightScale(vtkImageData* heights, vtkImageData* mask)
+{
+  return this->FitHeightScale(heights, mask, std::numeric_limits<double>::quiet_NaN());
+}
+
+//------------------------------------------------------------------------------
+double vtkReliefScene::FitHeightScale(vtkImageData* heights, vtkImageData* mask, double noData)
+{
+  if (!heights)
+  {
+    vtkErrorMacro("FitHeightScale: null was given, an image of heights is expected; "
+      << this->HeightScale << " is kept.");
+    return this->HeightScale;
+  }
+  relief::hosts::HeightInputs inputs;
+  inputs.image = heights;
+  inputs.scalars = heights->GetPointData()->GetScalars();
+  inputs.mask = mask;
+  inputs.maskScalars = mask ? mask->GetPointData()->GetScalars() : nullptr;
+  inputs.useNoData = true;
+  inputs.noData = noData;
+  std::string wrong;
+  const double scale = relief::hosts::FitHeightScale(inputs, wrong);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("FitHeightScale: " << wrong << "; " << this->HeightScale << " is kept.");
+    return this->HeightScale;
+  }
+  this->SetHeightScale(scale > 0.0 ? relief::hosts::RoundHeightScale(scale) : 1.0);
+  return this->HeightScale;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetMaterial(vtkReliefMaterial* material)
+{
+  relief::SetObject(this, this->Material, material, "Material");
+}
+
+//------------------------------------------------------------------------------
+vtkReliefMaterial* vtkReliefScene::GetMaterial()
+{
+  return this->Material;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::AddLight(vtkLight* light)
+{
+  if (!light)
+  {
+    vtkErrorMacro("AddLight: null was given, a vtkLight is expected.");
+    return;
+  }
+  if (!this->Lights->IsItemPresent(light))
+  {
+    this->Lights->AddItem(light);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::RemoveLight(vtkLight* light)
+{
+  if (light && this->Lights->IsItemPresent(light))
+  {
+    this->Lights->RemoveItem(light);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::RemoveAllLights()
+{
+  if (this->Lights->GetNumberOfItems() > 0)
+  {
+    this->Lights->RemoveAllItems();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLightCollection* vtkReliefScene::GetLights()
+{
+  return this->Lights;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkReliefScene::AddSun(double azimuth, double altitude, double angularDiameter)
+{
+  if (const auto refusal = parameters::CheckSun(azimuth, altitude, angularDiameter))
+  {
+    vtkErrorMacro("AddSun: " << refusal->Reason() << "; no light is added.");
+    return nullptr;
+  }
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->PositionalOff();
+  sun->SetFocalPoint(0.0, 0.0, 0.0);
+  double direction[3];
+  vtkReliefDirection(azimuth, altitude, direction);
+  sun->SetPosition(direction);
+  this->SetAngularDiameter(sun, angularDiameter);
+  this->AddLight(sun);
+  return sun;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetAngularDiameter(vtkLight* light, double degrees)
+{
+  const parameters::Parameter& diameter =
+    parameters::Find(parameters::Owner::Light, "AngularDiameter");
+  const auto refusal = parameters::Check(diameter, { degrees, 0.0, 0.0 });
+  if (!light)
+  {
+    vtkErrorMacro("SetAngularDiameter: " << degrees
+                                         << " was given for no light, a vtkLight is "
+                                            "expected; nothing is changed.");
+    return;
+  }
+  if (refusal)
+  {
+    vtkErrorMacro("SetAngularDiameter: " << refusal->Reason() << "; nothing is changed.");
+    return;
+  }
+  diameter.Set(light, { degrees, 0.0, 0.0 });
+}
+
+//------------------------------------------------------------------------------
+double vtkReliefScene::GetAngularDiameter(vtkLight* light)
+{
+  vtkInformation* information = light ? light->GetInformation() : nullptr;
+  return information && information->Has(ANGULAR_DIAMETER()) ? information->Get(ANGULAR_DIAMETER())
+                                                             : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetEnvironment(vtkReliefEnvironment* environment)
+{
+  if (this->Environment != environment)
+  {
+    this->Environment = environment;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkReliefEnvironment* vtkReliefScene::GetEnvironment()
+{
+  return this->Environment;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetLightsToDefault()
+{
+  this->RemoveAllLights();
+  this->SetEnvironment(nullptr);
+  this->AddSun(parameters::UsualAzimuth, parameters::UsualAltitude)
+    ->SetIntensity(parameters::UsualIntensity);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetLightsToMultidirectional()
+{
+  this->RemoveAllLights();
+  this->SetEnvironment(nullptr);
+  for (double azimuth : { 225.0, 270.0, 315.0, 360.0 })
+  {
+    this->AddSun(azimuth, 30.0)->SetIntensity(0.25);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetLightsToSkyDome()
+{
+  this->RemoveAllLights();
+  vtkNew<vtkReliefEnvironment> dome;
+  dome->SetImageToWhiteDome();
+  dome->SetNumberOfSamples(128);
+  // Summits see more of it than level ground does, up to 1.6 times where slopes are steep.
+  dome->SetIntensity(0.62);
+  this->SetEnvironment(dome);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetLightsToSunAndSky(double azimuth, double altitude)
+{
+  if (const auto refusal = parameters::CheckSunAndSky(azimuth, altitude))
+  {
+    vtkErrorMacro("SetLightsToSunAndSky: " << refusal->Reason() << "; the lights are kept.");
+    return;
+  }
+  const double turbidity = parameters::UsualTurbidity;
+  this->RemoveAllLights();
+  vtkLight* sun = this->AddSun(azimuth, altitude, 0.533);
+  const glm::dvec3 color = relief::SunColor({ 0.0, 0.0, vtkReliefSinDegrees(altitude) }, turbidity);
+  sun->SetDiffuseColor(color.x, color.y, color.z);
+  sun->SetIntensity(0.55);
+  vtkNew<vtkReliefEnvironment> sky;
+  sky->SetImageToClearSky(azimuth, altitude, turbidity);
+  sky->SetSamplingToImportance();
+  sky->SetIntensity(0.2);
+  this->SetEnvironment(sky);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::CopyAllBut(vtkReliefScene* other, vtkReliefEnvironment* environment)
+{
+  parameters::Copy(other, this);
+  vtkNew<vtkReliefMaterial> material;
+  material->DeepCopy(other->Material);
+  this->SetMaterial(material);
+  this->RemoveAllLights();
+  for (vtkLight* light : vtk::Range(other->Lights.Get()))
+  {
+    this->AddLight(CopyOf(light));
+  }
+  this->SetEnvironment(environment);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::DeepCopy(vtkReliefScene* other)
+{
+  if (other && other != this)
+  {
+    vtkNew<vtkReliefEnvironment> environment;
+    environment->DeepCopy(other->Environment);
+    this->CopyAllBut(other, other->Environment ? environment.Get() : nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::CopySharingImage(vtkReliefScene* other)
+{
+  if (other && other != this)
+  {
+    vtkNew<vtkReliefEnvironment> environment;
+    environment->ShallowCopy(other->Environment);
+    this->CopyAllBut(other, other->Environment ? environment.Get() : nullptr);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::ShallowCopy(vtkReliefScene* other)
+{
+  if (other && other != this)
+  {
+    parameters::Copy(other, this);
+    this->SetMaterial(other->Material);
+    this->RemoveAllLights();
+    for (vtkLight* light : vtk::Range(other->Lights.Get()))
+    {
+      this->AddLight(light);
+    }
+    this->SetEnvironment(other->Environment);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkReliefScene::GetMTime()
+{
+  vtkMTimeType time = std::max(
+    { this->Superclass::GetMTime(), this->Material->GetMTime(), this->Lights->GetMTime() });
+  for (vtkLight* light : vtk::Range(this->Lights.Get()))
+  {
+    time = std::max(time, light->GetMTime());
+    if (vtkMatrix4x4* transform = light->GetTransformMatrix())
+    {
+      time = std::max(time, transform->GetMTime());
+    }
+  }
+  return this->Environment ? std::max(time, this->Environment->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Material:\n";
+  this->Material->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Lights:\n";
+  this->Lights->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Environment:" << (this->Environment ? "" : " (none)") << "\n";
+  if (this->Environment)
+  {
+    this->Environment->PrintSelf(os, indent.GetNextIndent());
+  }
+  parameters::Print(this, os, indent);
+}

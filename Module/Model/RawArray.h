@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef RawArray_h
+#define RawArray_h
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace relief
+{
+
+/// Room for many numbers, of no value until they are written: so the threads that write them touch
+/// the memory first, each its own part. Begins at a cache line.
+template <class T>
+class RawArray
+{
+  static_assert(std::is_trivially_destructible_v<T> && std::is_trivially_copyable_v<T>);
+
+public:
+  RawArray() = default;
+  RawArray(RawArray&& other) noexcept { this->Swap(other); }
+  RawArray& operator=(RawArray&& other) noexcept
+  {
+    this->Swap(other);
+    return *this;
+  }
+
+  /// Makes room for so many numbers, of which none keeps its value; none gives all of it back. Room
+  /// of that size is used again.
+  void Allocate(std::size_t count)
+  {
+    if (count != this->Count)
+    {
+      this->Count = 0;
+      this->Values = nullptr;
+      this->Room.reset(); // first, so that never both take memory
+      if (count > 0)
+      {
+        this->Room.reset(static_cast<unsigned char*>(::operator new(count * sizeof(T) + Line)));
+        void* first = this->Room.get();
+        std::size_t space = count * sizeof(T) + Line;
+        this->Values = static_cast<T*>(std::align(Line, count * sizeof(T), first, space));
+      }
+      this->Count = count;
+    }
+  }
+
+  std::size_t size() const { return this->Count; }
+  bool empty() const { return this->Count == 0; }
+  T* data() { return this->Values; }
+  const T* data() const { return this->Values; }
+  T& operator[](std::size_t at) { return this->Values[at]; }
+  const T& operator[](std::size_t at) const { return this->Values[at]; }
+
+private:
+  void Swap(RawArray& other) noexcept
+  {
+    std::swap(this->Room, other.Room);
+    std::swap(this->Values, other.Values);
+    std::swap(this->Count, other.Count);
+  }
+
+  static constexpr std::size_t Line = 64; // bytes
+  struct Free
+  {
+    void operator()(unsigned char* room) const { ::operator delete(room); }
+  };
+  std::unique_ptr<unsigned char, Free> Room;
+  T* Values = nullptr;
+  std::size_t Count = 0;
+};
+
+}
+
+#endif

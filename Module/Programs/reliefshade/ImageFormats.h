@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ImageFormats_h
+#define ImageFormats_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkImageReader2;
+class vtkImageWriter;
+class vtkReliefScene;
+
+namespace reliefshade
+{
+
+struct Drawing;
+
+/// What takes VTK::IOReliefShading, whose 260 libraries of image formats take longer to load than a
+/// small raster to shade: pictures in other formats than GeoTIFF, layers for compositing, scenes,
+/// charts.
+/// It lies in a library of its own that is loaded when it is first asked for.
+class ImageFormats
+{
+public:
+  virtual ~ImageFormats() = default;
+
+  enum class Alpha
+  {
+    Stored,  ///< as any other component
+    Mask,    ///< a mask of heights
+    Straight ///< a component beside colours that it does not multiply
+  };
+  /// A vtkOpenImageIOReader.
+  virtual vtkSmartPointer<vtkImageReader2> NewReader(Alpha alpha) const = 0;
+  /// The picture and the channel that it is to read: the name of a part or its number, from 1, or
+  /// nothing; the name of a channel, or nothing for all.
+  virtual void Choose(
+    vtkImageReader2* reader, const std::string& part, const std::string& channel) const = 0;
+  /// The names of its channels, once it knows the header.
+  virtual std::vector<std::string> ChannelNames(vtkImageReader2* reader) const = 0;
+  /// Its memory limit, in kibibytes.
+  virtual void SetMemoryLimit(vtkImageReader2* reader, vtkTypeInt64 limit) const = 0;
+
+  /// A vtkOpenImageIOWriter that writes under the very name that it gets.
+  virtual vtkSmartPointer<vtkImageWriter> NewWriter() const = 0;
+
+  /// A vtkOpenEXRLayerWriter that does, too.
+  virtual vtkSmartPointer<vtkImageWriter> NewLayerWriter(
+    vtkReliefScene* scene, const std::map<std::string, std::string>& attributes) const = 0;
+
+  /// Paints a drawing on white, as 8-bit red, green and blue.
+  virtual vtkSmartPointer<vtkImageData> Paint(const Drawing& drawing) const = 0;
+
+  /// Reads a scene's file, and tells whether it names the scale of heights. Returns false and says
+  /// why if it could not.
+  virtual bool ReadScene(
+    const std::string& file, vtkReliefScene* scene, bool& scaled, std::string& reason) const = 0;
+
+  /// The text of a scene's file of that name; empty, and why, if there can be none.
+  virtual std::string SceneText(
+    const std::string& file, vtkReliefScene* scene, std::string& reason) const = 0;
+};
+
+/// Loads them. Throws a Failure if the library is not where it belongs.
+const ImageFormats& imageFormats();
+
+}
+
+#endif

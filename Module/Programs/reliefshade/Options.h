@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Options_h
+#define Options_h
+
+#include "GeoTiffForm.h"
+#include "HeightScaling.h"
+#include "LayersWriter.h"
+#include "RasterFiles.h"
+
+#include "vtkNew.h"
+#include "vtkReliefScene.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace reliefshade
+{
+
+/// What the command line asks for.
+struct Options
+{
+  std::string Input;
+  /// Empty if no picture is wanted.
+  std::string Output;
+  std::string Mask;
+  ReadOptions Reading;
+  /// From one sample to the next along x and y, in place of the file's.
+  std::optional<std::array<double, 2>> Spacing;
+
+  HeightScaling Scaling = HeightScaling::Usual;
+  bool SmoothSteps = false;
+
+  /// Material, lights and accuracy. The positions of positional lights are still those of the map.
+  vtkNew<vtkReliefScene> Scene;
+  /// The file that the scene was read from, and the one that it is kept in; empty for none.
+  std::string SceneFile;
+  std::string SavedScene;
+  /// The picture that the scene's file names; empty for none.
+  std::string SceneEnvironment;
+  /// What of the scene is still the file's, to give way to options.
+  bool LightsOfFile = false;
+  bool EnvironmentOfFile = false;
+
+  /// Files; empty for none. The scene has an environment for the first, still without an image.
+  std::string Environment;
+  bool MirrorEnvironment = false;
+  std::string DiffuseTexture;
+  std::string BaseTexture;
+  std::string SpecularTexture;
+  std::string Tint;
+
+  /// VTK_FLOAT, VTK_UNSIGNED_CHAR, or VTK_VOID to go by the output's extension.
+  int OutputType = VTK_VOID;
+  /// The components of Output.
+  enum PictureBands
+  {
+    AutoBands,
+    Grey,
+    Rgb,
+    Rgba
+  };
+  PictureBands Bands = AutoBands;
+  /// How it tells where there is no data.
+  enum NoDataMarks
+  {
+    UsualNoData,
+    ByAlpha,
+    ByValue
+  };
+  NoDataMarks NoDataOut = UsualNoData;
+  /// How TIFF is stored.
+  relief::raster::GeoTiffForm Tiff;
+  /// Names of layers, of those that layerNames() lists.
+  LayerNames Layers;
+  /// One OpenEXR file for the colour and these layers; if empty, each layer has a file of its own.
+  std::string LayersFile;
+
+  /// The file that what accuracy costs is written to; empty for none.
+  std::string AccuracyReport;
+  /// How many samples are retraced after shading, 0 for none, and which.
+  int VerifiedSamples = 0;
+  unsigned int VerifiedSeed = 1;
+
+  int Threads = 0;
+  /// In bytes; 0 for none.
+  double MemoryLimit = 0.0;
+  bool Statistics = false;
+  bool Quiet = false;
+};
+
+/// Reads the command line. Returns false if it asked for help or the version, which are then
+/// printed. Throws a Failure that names the option.
+bool parseOptions(int argc, char* argv[], Options& options);
+
+}
+
+#endif

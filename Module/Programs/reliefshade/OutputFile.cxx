@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OutputFile.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "RasterFile.h"
+#include "SameFile.h"
+#include "TemporaryFile.h"
+
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+[[noreturn]] void refuse(const NamedFile& output, const NamedFile& other, bool whole)
+{
+  const bool named = other.Name == output.Name;
+  throw Failure(output.Name,
+    output.Role + " would replace " + (whole ? "" : "a file of ") +
+      (named ? other.Role : other.Name + ", which is " + other.Role) + "; choose another name",
+    UsageFailure);
+}
+
+//------------------------------------------------------------------------------
+void checkInput(const NamedFile& input, const NamedFile& output)
+{
+  if (relief::io::IsReadFrom(input.Name, output.Name))
+  {
+    refuse(output, input, relief::io::SameFile(input.Name, output.Name));
+  }
+  std::error_code code;
+  if (std::filesystem::exists(output.Name, code)) // else there is nothing to lose
+  {
+    for (const std::string& file : relief::raster::FilesOf(input.Name))
+    {
+      if (relief::io::SameFile(relief::io::FileBehind(file), output.Name))
+      {
+        refuse(output, input, false);
+      }
+    }
+  }
+}
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+void keepApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs)
+{
+  for (auto output = outputs.begin(); output != outputs.end(); ++output)
+  {
+    for (const NamedFile& input : inputs)
+    {
+      checkInput(input, *output);
+    }
+    for (auto other = outputs.begin(); other != output; ++other)
+    {
+      if (relief::io::SameFile(other->Name, output->Name))
+      {
+        refuse(*output, *other, true);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+OutputFile::OutputFile(const std::string& target)
+{
+  aboutFile(target, [&] { this->Staged = std::make_unique<relief::io::StagedFile>(target); });
+}
+
+//------------------------------------------------------------------------------
+std::string OutputFile::Reword(const std::string& text) const
+{
+  std::string result = withoutName(this->Staged->Reword(text), this->Target());
+  // The name of a long path has lost its middle on the way, and is known by its ending.
+  const std::string ending = ".tmp" + std::filesystem::path(this->Target()).extension().string();
+  for (std::size_t end = result.find(ending); end != std::string::npos;)
+  {
+    std::size_t behind = end + ending.size();
+    const std::size_t begin = result.find_last_of(" \"", end) + 1;
+    if (result.find("...", begin) < end)
+    {
+      result.replace(begin, behind - begin, this->Target());
+      behind = begin + this->Target().size();
+    }
+    end = result.find(ending, behind);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::WriteText(const std::string& text) const
+{
+  aboutFile(this->Target(),
+    [&]
+    {
+      relief::io::TemporaryFile stream(this->Name(), false);
+      stream.Write(text.data(), text.size());
+      if (const int error = stream.Finish())
+      {
+        throw std::runtime_error("cannot be written: " + std::string(std::strerror(error)));
+      }
+      stream.Keep();
+    });
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::KeepAll(const std::vector<OutputFile*>& files)
+{
+  std::vector<relief::io::StagedFile*> staged;
+  staged.reserve(files.size());
+  for (OutputFile* file : files)
+  {
+    staged.push_back(file->Staged.get());
+  }
+  std::string reason;
+  if (const auto* failed = relief::io::StagedFile::KeepAll(staged, reason))
+  {
+    throw Failure(failed->Target(), reason);
+  }
+}
+
+}

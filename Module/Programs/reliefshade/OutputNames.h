@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OutputNames_h
+#define OutputNames_h
+
+#include <string>
+
+namespace reliefshade
+{
+
+struct Options;
+
+/// The file of a layer that has one of its own, beside OUTPUT.
+std::string layerFile(const Options& options, const std::string& layer);
+
+/// Throws a Failure if a run would write over what it reads, or write two outputs to one file. It
+/// is asked before anything but the scene is read.
+void checkNames(const Options& options);
+
+}
+
+#endif

@@ -1,0 +1,574 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// reliefshade: shades a height field from a file into a picture. Options.cxx describes the command
+// line, RasterFiles.h and PictureOutput.h the files; this is what happens between them.
+
+#include "AccuracyOutput.h"
+#include "BandShading.h"
+#include "ColorTable.h"
+#include "Failure.h"
+#include "FileGuard.h"
+#include "HeightScaling.h"
+#include "ImageFormats.h"
+#include "ImageFrame.h"
+#include "LayersWriter.h"
+#include "MessageLog.h"
+#include "Options.h"
+#include "OutputFile.h"
+#include "OutputNames.h"
+#include "OutputOptions.h"
+#include "PictureChoice.h"
+#include "PictureOutput.h"
+#include "Provenance.h"
+#include "RasterFiles.h"
+#include "ReferencedPicture.h"
+#include "Threads.h"
+#include "Verify.h"
+#include "Watch.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageFlip.h"
+#include "vtkImageReliefShading.h"
+#include "vtkPointData.h"
+#include "vtkReliefEnvironment.h"
+#include "vtkSMPTools.h"
+#include "vtkScalarsToColors.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+/// One line on the standard error stream.
+void say(const std::string& text)
+{
+  std::cerr << "reliefshade: " << relief::io::Brief(oneLine(text)) << std::endl;
+}
+
+//------------------------------------------------------------------------------
+void saveScene(vtkReliefScene* scene, const OutputFile& staged)
+{
+  std::string reason;
+  const std::string text = imageFormats().SceneText(staged.Name(), scene, reason);
+  if (text.empty())
+  {
+    takeError(); // it is told here
+    throw Failure(staged.Target(), staged.Reword(reason));
+  }
+  staged.WriteText(text);
+}
+
+//------------------------------------------------------------------------------
+bool showsBar(const Options& options)
+{
+  return terminal() && !options.Quiet;
+}
+
+//------------------------------------------------------------------------------
+/// Whether a picture is wanted: a report measures by itself.
+bool shades(const Options& options)
+{
+  return !options.Output.empty() || !options.LayersFile.empty() || options.VerifiedSamples > 0;
+}
+
+//------------------------------------------------------------------------------
+/// What one sample of the filter's output takes.
+double shadedBytes(const Options& options)
+{
+  const bool isFloat = outputType(options) == VTK_FLOAT;
+  double bytes = isFloat ? 16.0 : 4.0;
+  for (const std::string& layer : options.Layers)
+  {
+    bytes += 4.0 * layerComponents(layer);
+  }
+  if (!options.LayersFile.empty() && !isFloat)
+  {
+    bytes += 4.0 * 12.0 + 16.0; // the colour's parts, and their sum
+  }
+  const bool illumination = options.VerifiedSamples > 0 &&
+    std::find(options.Layers.begin(), options.Layers.end(), "illumination") == options.Layers.end();
+  return bytes + (illumination ? 4.0 : 0.0);
+}
+
+//------------------------------------------------------------------------------
+/// Whether all is shaded before any of it is written, not some rows at a time.
+bool shadesAtOnce(const Options& options)
+{
+  return !options.LayersFile.empty() || options.VerifiedSamples > 0;
+}
+
+//------------------------------------------------------------------------------
+/// What a sample takes beside its height as the file stores it: the prepared height with its
+/// bounds, the tint, and all that is shaded at once.
+double bytesPerSample(const Options& options)
+{
+  return 4.0 + 4.0 + (options.Tint.empty() ? 0.0 : 4.0) +
+    (shadesAtOnce(options) ? shadedBytes(options) : 0.0);
+}
+
+//------------------------------------------------------------------------------
+void claim(const std::string& file, MemoryBudget& budget, double bytes)
+{
+  try
+  {
+    budget.Claim(bytes);
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw Failure(file, error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void printWarnings(const Options& options)
+{
+  for (const std::string& warning : takeWarnings())
+  {
+    if (!options.Quiet)
+    {
+      say("warning: " + warning);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The files that a run writes: all appear when all are written, or none does.
+class Outputs
+{
+public:
+  /// Finds out at once whether all of them can be written. Throws a Failure.
+  Outputs(const Options& options, Raster& raster, MemoryBudget& budget);
+
+  /// The file of the colour and the layers, if there is one.
+  const LayersWriter* GetLayersWriter() const { return this->Layers ? &*this->Layers : nullptr; }
+
+  /// Shades and writes. The scene is the one to be kept.
+  ShadingReport Write(vtkImageReliefShading* shading, vtkReliefScene* scene);
+
+private:
+  void Begin(vtkImageReliefShading* shading);
+  void WriteRows(vtkImageData* part);
+  void Finish(vtkImageReliefShading* shading, vtkReliefScene* scene);
+
+  const Options& Given;
+  GeoReference& Reference;
+  std::optional<PictureOutput> Picture;
+  std::optional<LayersWriter> Layers;
+  std::vector<std::unique_ptr<PictureOutput>> LayerPictures; // as the options list them
+  std::optional<OutputFile> Scene;
+  std::optional<AccuracyOutput> Report;
+};
+
+//------------------------------------------------------------------------------
+Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
+  : Given(options)
+  , Reference(raster.Reference)
+{
+  double bytes = 0.0; // a sample
+  if (!options.Output.empty())
+  {
+    const PictureForm form = formOfOutput(options, relief::raster::LacksData(raster));
+    this->Picture.emplace(options.Output, form, this->Reference);
+    bytes += this->Picture->GetBytesPerSample();
+  }
+  if (!options.LayersFile.empty())
+  {
+    this->Layers.emplace(options.LayersFile);
+  }
+  else
+  {
+    for (const std::string& layer : options.Layers)
+    {
+      const PictureForm form = formOfLayer(options, layerComponents(layer));
+      this->LayerPictures.push_back(
+        std::make_unique<PictureOutput>(layerFile(options, layer), form, this->Reference));
+      bytes += this->LayerPictures.back()->GetBytesPerSample();
+    }
+  }
+  if (!options.SavedScene.empty())
+  {
+    this->Scene.emplace(options.SavedScene);
+  }
+  if (!options.AccuracyReport.empty())
+  {
+    this->Report.emplace(options.AccuracyReport);
+  }
+  claim(options.Input, budget, bytes * raster.Heights->GetNumberOfPoints());
+}
+
+//------------------------------------------------------------------------------
+// What headers say is known then: samples have been retraced, if they are to be.
+void Outputs::Begin(vtkImageReliefShading* shading)
+{
+  const std::string verified = this->Given.VerifiedSamples > 0
+    ? verify(shading, this->Given, showsBar(this->Given))
+    : std::string();
+  if (this->Layers || writesTiff(this->Given))
+  {
+    this->Reference.Metadata = provenance(shading, verified);
+  }
+  int size[3];
+  vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0))->GetDimensions(size);
+  if (this->Picture)
+  {
+    this->Picture->Begin(size);
+  }
+  for (const auto& picture : this->LayerPictures)
+  {
+    picture->Begin(size);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Outputs::WriteRows(vtkImageData* part)
+{
+  if (this->Picture)
+  {
+    this->Picture->WriteRows(part);
+  }
+  for (std::size_t k = 0; k < this->LayerPictures.size(); ++k)
+  {
+    this->LayerPictures[k]->WriteRows(layerImage(part, this->Given.Layers[k]));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
+{
+  std::vector<OutputFile*> files;
+  if (this->Picture)
+  {
+    this->Picture->Finish();
+    files.push_back(&this->Picture->GetFile());
+  }
+  if (this->Layers)
+  {
+    this->Layers->Write(shading, this->Given.Layers, this->Reference);
+    files.push_back(&this->Layers->GetFile());
+  }
+  for (const auto& picture : this->LayerPictures)
+  {
+    picture->Finish();
+    files.push_back(&picture->GetFile());
+  }
+  if (this->Scene)
+  {
+    saveScene(scene, *this->Scene);
+    files.push_back(&*this->Scene);
+  }
+  if (this->Report)
+  {
+    this->Report->Write(shading, scene, this->Given.Input, showsBar(this->Given));
+    files.push_back(&this->Report->GetFile());
+  }
+  stopIfInterrupted();
+  OutputFile::KeepAll(files);
+}
+
+//------------------------------------------------------------------------------
+ShadingReport Outputs::Write(vtkImageReliefShading* shading, vtkReliefScene* scene)
+{
+  ShadingReport report;
+  if (shades(this->Given))
+  {
+    // The rows of all files are alike.
+    const int columns =
+      vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0))->GetDimensions()[0];
+    const bool atOnce = shadesAtOnce(this->Given);
+    const int rows = atOnce ? 0 : rowsOfBand(columns, shadedBytes(this->Given));
+    const bool upward = (this->Picture && this->Picture->IsUpward()) ||
+      (!this->LayerPictures.empty() && this->LayerPictures.front()->IsUpward());
+    if (!atOnce)
+    {
+      this->Begin(shading);
+    }
+    report = shadeBands(shading, this->Given.Input, rows, upward,
+      [&](vtkImageData* part)
+      {
+        if (atOnce)
+        {
+          this->Begin(shading);
+        }
+        this->WriteRows(part);
+      });
+  }
+  printWarnings(this->Given);
+  this->Finish(shading, scene);
+  return report;
+}
+
+//------------------------------------------------------------------------------
+void printStatistics(const Raster& raster, const Options& options, const ShadingReport& report)
+{
+  int size[3];
+  raster.Heights->GetDimensions(size);
+  std::cout.precision(10);
+  std::cout << "size: " << size[0] << " " << size[1] << "\n"
+            << "type: " << raster.Heights->GetScalarTypeAsString() << "\n"
+            << "spacing: " << raster.Spacing[0] << " " << raster.Spacing[1] << "\n"
+            << "height-scale: " << options.Scene->GetHeightScale() << "\n"
+            << "coordinates: "
+            << (!raster.Reference.Present         ? "none"
+                   : raster.Geographic            ? "geographic"
+                   : raster.Reference.Crs.empty() ? "unnamed"
+                                                  : "projected")
+            << "\n";
+  if (raster.NoData)
+  {
+    std::cout << "nodata: " << *raster.NoData << "\n";
+  }
+  std::cout << "threads: " << vtkSMPTools::GetEstimatedNumberOfThreads() << "\n"
+            << "effects: " << report.Effects << "\n"
+            << "lights-traced: " << report.LightsTraced << "\n"
+            << "rays-traced: " << report.RaysTraced << "\n"
+            << "cells-visited: " << report.CellsVisited << "\n"
+            << "exposure: " << report.Exposure << "\n"
+            << "seconds: " << report.Seconds << std::endl;
+}
+
+//------------------------------------------------------------------------------
+/// Throws a Failure that names the file if its picture, which may be null, has no colours.
+void checkColors(const std::string& file, vtkImageData* image, const char* what)
+{
+  relief::ColorTexture colors;
+  const std::string wrong = image
+    ? relief::hosts::ConvertColors(image, image->GetPointData()->GetScalars(), what, colors)
+    : std::string();
+  if (!wrong.empty())
+  {
+    throw Failure(file, wrong);
+  }
+}
+
+vtkSmartPointer<vtkImageData> readColors(
+  const std::string& file, const Raster& raster, MemoryBudget& budget, const char* what)
+{
+  vtkSmartPointer<vtkImageData> image = readTexture(file, raster, budget);
+  checkColors(file, image, what);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+/// Reads the pictures that give colour and light.
+void readPictures(const Options& options, const Raster& raster, MemoryBudget& budget,
+  vtkImageReliefShading* shading)
+{
+  if (!options.Environment.empty())
+  {
+    // Beside the picture, its mirror image and three linear floats a texel.
+    vtkSmartPointer<vtkImageData> image =
+      readPicture(options.Environment, budget, options.MirrorEnvironment ? 2 : 1, 12);
+    if (options.MirrorEnvironment)
+    {
+      vtkNew<vtkImageFlip> mirror;
+      mirror->SetInputData(image);
+      mirror->SetFilteredAxis(0);
+      mirror->Update();
+      image = mirror->GetOutput();
+    }
+    options.Scene->GetEnvironment()->SetImage(image);
+    if (!options.MirrorEnvironment) // whose picture is not the file's
+    {
+      options.Scene->GetEnvironment()->SetFileName(options.Environment.c_str());
+    }
+    checkColors(options.Environment, image, "environment");
+  }
+  else if (options.EnvironmentOfFile)
+  {
+    checkColors(options.SceneFile, options.Scene->GetEnvironment()->GetImage(), "environment");
+  }
+  if (!options.DiffuseTexture.empty())
+  {
+    shading->SetDiffuseTextureData(
+      readColors(options.DiffuseTexture, raster, budget, "diffuse texture"));
+  }
+  if (!options.BaseTexture.empty())
+  {
+    shading->SetBaseTextureData(readColors(options.BaseTexture, raster, budget, "base texture"));
+  }
+  if (!options.SpecularTexture.empty())
+  {
+    shading->SetSpecularTextureData(
+      readColors(options.SpecularTexture, raster, budget, "specular texture"));
+  }
+  if (!options.Tint.empty())
+  {
+    shading->SetLookupTable(readColorTable(options.Tint, raster));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// How many threads are worth starting: 0 for all that there are.
+int usefulThreads(const Raster& raster)
+{
+  return raster.Heights->GetNumberOfPoints() <= 64 * 64 ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+/// Before anything is shaded: what stops it may be what they are about.
+void warnOfHeights(const Options& options, const Raster& raster)
+{
+  using relief::raster::Warning;
+  const auto warn = [&options](const std::string& text)
+  {
+    if (!options.Quiet)
+    {
+      say(options.Input + ": warning: " + text);
+    }
+  };
+  for (const Warning& warning : raster.Warnings)
+  {
+    if (warning.Remedy != Warning::Spacing || !options.Spacing)
+    {
+      warn(warning.Text +
+        (warning.Remedy == Warning::NoData           ? "; see --nodata"
+            : warning.Remedy == Warning::HeightScale ? "; see --height-scale"
+                                                     : ""));
+    }
+  }
+  if (!options.Spacing && relief::raster::LooksLikeDegrees(raster))
+  {
+    warn("its coordinates look like degrees, but it names no coordinate reference system; "
+         "--degrees takes them as such");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Smooths terraces if it is wanted, or says that it can be done where they show.
+void smoothHeights(const Options& options, MemoryBudget& budget, Raster& raster)
+{
+  if (options.SmoothSteps)
+  {
+    claim(options.Input, budget, smoothedBytes * raster.Heights->GetNumberOfPoints());
+    aboutFile(options.Input, [&raster] { smoothSteps(raster); });
+  }
+  else if (!options.Quiet && showsTerraces(raster))
+  {
+    say(options.Input +
+      ": its heights have few steps, whose edges show; --smooth-steps smooths them");
+  }
+}
+
+//------------------------------------------------------------------------------
+void run(const Options& options)
+{
+  MemoryBudget budget(options.MemoryLimit, "--memory-limit");
+  ReadOptions reading = options.Reading;
+  reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
+  Raster raster = readRaster(options.Input, reading, budget, bytesPerSample(options));
+  if (!options.Mask.empty())
+  {
+    addMask(options.Mask, ReadOptions(), options.Input, budget, raster);
+  }
+  warnOfHeights(options, raster);
+  const bool degrees = !options.Spacing && relief::raster::LooksLikeDegrees(raster);
+  if (options.Spacing)
+  {
+    aboutFile(options.Input, [&] { relief::raster::SetSpacing(raster, *options.Spacing); });
+  }
+  relief::raster::PlaceHeights(raster);
+  setThreads(options.Threads > 0 ? options.Threads : usefulThreads(raster));
+  smoothHeights(options, budget, raster);
+  const bool unit = options.Spacing || relief::raster::HasLengths(raster);
+  // Of heights that have a unit there is at most something to say.
+  if (options.Scaling != HeightScaling::Usual || !unit || !options.Quiet)
+  {
+    const std::string scaled = scaleHeights(options.Scaling, unit, raster, options.Scene);
+    if (!scaled.empty() && !options.Quiet && !degrees)
+    {
+      say(options.Input + ": " + scaled);
+    }
+  }
+  // As the command line means it, while the lights and heights of the other go to another frame.
+  vtkNew<vtkReliefScene> mapScene;
+  mapScene->CopySharingImage(options.Scene);
+  MapFrame(raster).ToHeights(options.Scene);
+
+  Outputs outputs(options, raster, budget);
+
+  vtkNew<vtkImageReliefShading> shading;
+  relief::raster::SetHeights(raster, shading);
+  shading->SetScene(options.Scene);
+  shading->SetCacheMemoryLimit(0); // there is one update only
+  shading->SetOutputScalarType(outputType(options));
+  readPictures(options, raster, budget, shading);
+  generateLayers(options.Layers, shading);
+  if (outputs.GetLayersWriter())
+  {
+    outputs.GetLayersWriter()->Prepare(shading);
+  }
+  shading->SetGenerateIllumination(
+    shading->GetGenerateIllumination() || options.VerifiedSamples > 0);
+  watch(shading, showsBar(options));
+  const ShadingReport report = outputs.Write(shading, mapScene);
+  printWarnings(options);
+  if (options.Statistics)
+  {
+    printStatistics(raster, options, report);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The option that mends a failure, to go on with behind its message.
+const char* optionFor(Remedy remedy)
+{
+  switch (remedy)
+  {
+    case Remedy::Band:
+      return "; see --band";
+    case Remedy::Channel:
+      return "; see --channel";
+    case Remedy::Colors:
+      return "; see --encoding and --band";
+    case Remedy::Indices:
+      return ": --band 1 takes its indices for heights";
+    case Remedy::Degrees:
+      return "; see --degrees";
+    case Remedy::NumberType:
+      return "; see --type";
+    default:
+      return "";
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  catchMessages();
+  relief::raster::KeepGdalQuiet();
+  catchSignals();
+  try
+  {
+    Options options;
+    if (parseOptions(argc, argv, options))
+    {
+      run(options);
+    }
+    return Success;
+  }
+  catch (const Failure& failure)
+  {
+    say(std::string(failure.what()) + optionFor(failure.Mends));
+    return failure.Code;
+  }
+  catch (const std::bad_alloc&)
+  {
+    say("not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    say(error.what());
+  }
+  return RunFailure;
+}

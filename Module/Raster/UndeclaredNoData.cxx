@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UndeclaredNoData.h"
+
+#include "HeightRuns.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace relief::raster
+{
+namespace
+{
+/// The ends of a raster's values, and the next ones to them.
+struct Ends
+{
+  double Lowest = std::numeric_limits<double>::infinity();
+  double Highest = -std::numeric_limits<double>::infinity();
+  double SecondLowest = std::numeric_limits<double>::infinity();
+  double SecondHighest = -std::numeric_limits<double>::infinity();
+  vtkIdType AtLowest = 0;
+  vtkIdType AtHighest = 0;
+  vtkIdType Count = 0;
+};
+
+//------------------------------------------------------------------------------
+/// Calls a step with every value that counts as a height so far.
+template <class Step>
+void ForHeights(const Raster& raster, const Step& step)
+{
+  const auto* all =
+    raster.Mask ? static_cast<const unsigned char*>(raster.Mask->GetScalarPointer()) : nullptr;
+  // A value that no sample has where there is none.
+  const double none = raster.NoData.value_or(std::numeric_limits<double>::infinity());
+  ForRuns(raster.Heights->GetPointData()->GetScalars(),
+    [&](const auto* values, vtkIdType count, vtkIdType first)
+    {
+      const unsigned char* shown = all ? all + first : nullptr;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const auto value = static_cast<double>(values[i]);
+        if (std::isfinite(value) && value != none && (!shown || shown[i] != 0))
+        {
+          step(value);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void FindEnds(const Raster& raster, Ends& ends)
+{
+  if (!raster.Mask && !raster.NoData)
+  {
+    // All that nearly every raster needs.
+    std::array<double, 2> found = { ends.Lowest, ends.Highest };
+    if (raster.Ends)
+    {
+      found = *raster.Ends;
+    }
+    else
+    {
+      ForRuns(raster.Heights->GetPointData()->GetScalars(),
+        [&found](const auto* values, vtkIdType count, vtkIdType)
+        { AddToEnds(values, count, found); });
+    }
+    ends.Lowest = found[0];
+    ends.Highest = found[1];
+    if (std::isfinite(ends.Lowest) && std::isfinite(ends.Highest))
+    {
+      return;
+    }
+    ends = Ends();
+  }
+  ForHeights(raster,
+    [&ends](double value)
+    {
+      ends.Lowest = std::min(ends.Lowest, value);
+      ends.Highest = std::max(ends.Highest, value);
+    });
+}
+
+//------------------------------------------------------------------------------
+void FindSeconds(const Raster& raster, Ends& ends)
+{
+  ForHeights(raster,
+    [&ends](double value)
+    {
+      ++ends.Count;
+      ends.AtLowest += value == ends.Lowest ? 1 : 0;
+      ends.AtHighest += value == ends.Highest ? 1 : 0;
+      ends.SecondLowest =
+        value > ends.Lowest ? std::min(ends.SecondLowest, value) : ends.SecondLowest;
+      ends.SecondHighest =
+        value < ends.Highest ? std::max(ends.SecondHighest, value) : ends.SecondHighest;
+    });
+}
+
+//------------------------------------------------------------------------------
+/// No height is as many of any unit in use.
+constexpr double NoHeight = 1e9;
+
+/// The numbers that files mark with.
+bool IsUsual(double value)
+{
+  static const std::array<double, 13> usual = { -999.0, -9999.0, -99999.0, -999999.0, -9999999.0,
+    -999.9, -9999.9, -32768.0, -32767.0, 9999.0, 99999.0, 32767.0, 65535.0 };
+  return std::abs(value) >= NoHeight ||
+    std::any_of(usual.begin(), usual.end(),
+      [value](double one) { return std::abs(value - one) <= 1e-6 * std::abs(one); });
+}
+
+//------------------------------------------------------------------------------
+/// As short as it can be typed to mean the same number: of single precision, 9 digits do.
+std::string Digits(double value, bool single)
+{
+  std::string text;
+  for (int precision = 6; precision <= 17; ++precision)
+  {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(precision);
+    out << value;
+    text = out.str();
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    double back = 0.0;
+    in >> back;
+    if (back == value || (single && static_cast<float>(back) == static_cast<float>(value)))
+    {
+      break;
+    }
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+/// gdalwarp fills what it turns in with 0: corners of the raster, that is.
+bool InCorner(const Raster& raster, double value)
+{
+  vtkDataArray* heights = raster.Heights->GetPointData()->GetScalars();
+  const vtkIdType columns = raster.Columns;
+  const vtkIdType last = heights->GetNumberOfTuples() - 1;
+  const std::array<vtkIdType, 4> corners = { 0, columns - 1, last - columns + 1, last };
+  return std::any_of(corners.begin(), corners.end(),
+    [&](vtkIdType at) { return heights->GetComponent(at, 0) == value; });
+}
+}
+
+//------------------------------------------------------------------------------
+void WarnOfUndeclaredNoData(Raster& raster)
+{
+  Ends ends;
+  FindEnds(raster, ends);
+  const bool zeroMarks = raster.Reference.Present;
+  const bool low = IsUsual(ends.Lowest) || (ends.Lowest == 0.0 && zeroMarks);
+  const bool high = IsUsual(ends.Highest) || (ends.Highest == 0.0 && zeroMarks);
+  if (!(ends.Lowest < ends.Highest) || !(low || high))
+  {
+    return; // as nearly always, after one look at the heights
+  }
+  FindSeconds(raster, ends);
+  for (const bool below : { true, false })
+  {
+    const double value = below ? ends.Lowest : ends.Highest;
+    const vtkIdType times = below ? ends.AtLowest : ends.AtHighest;
+    const double next = below ? ends.SecondLowest : ends.SecondHighest;
+    const double gap = std::abs(value - next);
+    // How far the others reach. The other end may mark no data as well.
+    const double rest = below ? (high ? ends.SecondHighest : ends.Highest) - next
+                              : next - (low ? ends.SecondLowest : ends.Lowest);
+    // What is also the white of a picture must have more than black beside it.
+    const bool marks = value < 0.0 || value >= NoHeight || rest > 0.0;
+    const bool apart = value == 0.0 ? gap > rest && InCorner(raster, value) : gap > 0.5 * rest;
+    if (!(below ? low : high) || times < 2 || !marks || !apart)
+    {
+      continue;
+    }
+    const bool single = raster.Heights->GetScalarType() == VTK_FLOAT;
+    std::ostringstream text;
+    text << "its " << (below ? "lowest" : "highest") << " value, " << Digits(value, single)
+         << " in " << times << " of " << ends.Count << " samples, lies far from the next one, "
+         << Digits(next, single) << ", and is taken for a height; it looks like no data";
+    raster.Warnings.push_back({ text.str(), Warning::NoData });
+    return;
+  }
+}
+}
