@@ -24,6 +24,7 @@
 #include "HeightHash.h"
 #include "HeightScale.h"
 #include "HostInputs.h"
+#include "LargePages.h"
 #include "ModelVersion.h"
 #include "PictureExposure.h"
 #include "PreparedScene.h"
@@ -66,8 +67,9 @@ vtkSmartPointer<Array> MakePicture(
   array = vtkSmartPointer<Array>::New();
   array->SetNumberOfComponents(components);
   const vtkIdType values = samples * components;
-  auto* memory =
-    static_cast<Number*>(::operator new(static_cast<std::size_t>(values) * sizeof(Number), Line));
+  const std::size_t bytes = static_cast<std::size_t>(values) * sizeof(Number);
+  auto* memory = static_cast<Number*>(::operator new(bytes, Line));
+  relief::UseLargePages(memory, bytes);
   array->SetArray(memory, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
   array->SetArrayFreeFunction(FreeLines);
   return array;

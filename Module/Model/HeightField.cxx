@@ -172,31 +172,12 @@ Range ExactRange(
     });
 }
 
-// Of float rows as they stand, with the bounds of their blocks, while they are in the cache.
-Range BoundRows(
-  const HeightSource<float>& source, const ParallelFor& parallelFor, MinMaxPyramid& pyramid)
+// Bands of rows, each as high as a block; at least one.
+constexpr int Band = MinMaxPyramid::BlockSize;
+
+int CountBands(int rows)
 {
-  constexpr int size = MinMaxPyramid::BlockSize;
-  const int bands = std::max((source.rows - 1 + size - 1) / size, 1);
-  return RangeOfRows(bands, parallelFor,
-    [&](int begin, int end, Range& part)
-    {
-      for (int band = begin; band < end; ++band)
-      {
-        const int last = std::min(band * size + size, source.rows - 1);
-        const float* rows[size + 1];
-        int count = 0;
-        for (int j = band * size; j <= last; ++j, ++count)
-        {
-          rows[count] = source.data + j * source.stepY;
-          if (count < size || band + 1 == bands)
-          {
-            AddRowToRange(rows[count], source.columns, part);
-          }
-        }
-        pyramid.BuildBaseRow(band, rows, count);
-      }
-    });
+  return std::max((rows - 1 + Band - 1) / Band, 1);
 }
 
 }
@@ -214,6 +195,9 @@ std::string HeightField::Assign(
   view.spacingY = source.spacingY;
   this->MissingRow = nullptr;
   this->Pyramid.Allocate(source.columns, source.rows);
+  // The sweep's vectors go on behind the last window, a tile's worth and what one has more.
+  constexpr int margin = 2 * Padding;
+  this->Windows.Allocate(padded ? source.columns : 0, padded ? source.rows : 0, margin);
   std::string wrong;
   bool inPlace = false;
   if constexpr (std::is_same_v<T, float>)
@@ -232,11 +216,6 @@ std::string HeightField::Assign(
   }
 
   this->Pyramid.BuildUpper();
-  // The sweep's vectors go on behind the last window, a tile's worth and what one has more.
-  constexpr int margin = 2 * Padding;
-  this->Windows.Allocate(padded ? source.columns : 0, padded ? source.rows : 0, margin);
-  parallelFor(this->Windows.GetNumberOfRows(),
-    [&](int begin, int end) { this->Windows.Build(view, begin, end); });
   for (int size = 0; size < NumberOfSquares; ++size)
   {
     this->Squares[size].Build(
@@ -245,6 +224,18 @@ std::string HeightField::Assign(
   this->Prepared.top = this->Top;
   this->Prepared.bounds = &this->Pyramid;
   return std::string();
+}
+
+void HeightField::BoundBand(int band, const float* const* rows, int count)
+{
+  this->Pyramid.BuildBaseRow(band, rows, std::min(count, Band + 1));
+  const int end =
+    std::min((band + 1) * Band / HeightWindows::Step, this->Windows.GetNumberOfRows());
+  for (int row = band * Band / HeightWindows::Step; row < end; ++row)
+  {
+    const int first = row * HeightWindows::Step - band * Band;
+    this->Windows.BuildRow(row, rows + first, std::min(count - first, HeightWindows::Size + 1));
+  }
 }
 
 bool HeightField::AssignInPlace(
@@ -262,7 +253,25 @@ bool HeightField::AssignInPlace(
   Range range;
   if (source.stepX == 1)
   {
-    range = BoundRows(source, parallelFor, this->Pyramid);
+    const int bands = CountBands(source.rows);
+    range = RangeOfRows(bands, parallelFor,
+      [&](int begin, int end, Range& part)
+      {
+        for (int band = begin; band < end; ++band)
+        {
+          const float* rows[RowsOfBand];
+          int count = 0;
+          for (int j = band * Band; j < source.rows && count < RowsOfBand; ++j, ++count)
+          {
+            rows[count] = source.data + j * source.stepY;
+            if (count < Band || band + 1 == bands)
+            {
+              AddRowToRange(rows[count], source.columns, part);
+            }
+          }
+          this->BoundBand(band, rows, count);
+        }
+      });
   }
   else
   {
@@ -307,22 +316,21 @@ std::string HeightField::AssignCopy(
   this->Copy.Allocate(pitch * (static_cast<std::size_t>(source.rows) + (padded ? 1 : 0)));
   float* first = this->Copy.data() + margin;
   auto rowAt = [&](int j) { return first + static_cast<std::size_t>(j) * pitch; };
-  constexpr int size = MinMaxPyramid::BlockSize;
-  const int bands = std::max((source.rows - 1 + size - 1) / size, 1);
-  // A band has as many rows as blocks have cells, the last one all that are left. Bounds are found
-  // while its heights are in the cache; the row that closes its blocks may be another part's.
+  const int bands = CountBands(source.rows);
+  // Bounds are found while a band's heights are in the cache. Rows behind its own, which close its
+  // blocks and windows, may be another part's.
   auto copy = [&](double datum)
   {
     return RangeOfRows(bands, parallelFor,
       [&](int begin, int end, Range& part)
       {
-        const int endRow = end < bands ? end * size : source.rows;
-        std::vector<float> beyond(source.columns);
-        int next = begin * size;
+        const int endRow = end < bands ? end * Band : source.rows;
+        std::vector<float> beyond;
+        int next = begin * Band;
         for (int band = begin; band < end; ++band)
         {
-          const int last = std::min(band * size + size, source.rows - 1);
-          for (; next <= last && next < endRow; ++next)
+          const int last = std::min(band * Band + RowsOfBand, source.rows);
+          for (; next < std::min(last, endRow); ++next)
           {
             float* row = rowAt(next);
             std::fill_n(row - margin, margin, none);
@@ -330,17 +338,19 @@ std::string HeightField::AssignCopy(
             std::fill_n(row + source.columns, margin, none);
             AddRowToRange(row, source.columns, part);
           }
-          const float* rows[size + 1];
-          int count = 0;
-          for (int j = band * size; j <= last; ++j, ++count)
+          const std::size_t columns = source.columns;
+          beyond.resize(columns * std::max(last - endRow, 0));
+          const float* rows[RowsOfBand];
+          for (int j = band * Band; j < last; ++j)
           {
-            rows[count] = j < endRow ? rowAt(j) : beyond.data();
+            float* row = j < endRow ? rowAt(j) : beyond.data() + columns * (j - endRow);
+            if (j >= endRow)
+            {
+              reader.Read(j, datum, row);
+            }
+            rows[j - band * Band] = row;
           }
-          if (last >= endRow)
-          {
-            reader.Read(last, datum, beyond.data());
-          }
-          this->Pyramid.BuildBaseRow(band, rows, count);
+          this->BoundBand(band, rows, last - band * Band);
         }
       });
   };

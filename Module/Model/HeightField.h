@@ -135,6 +135,12 @@ private:
   std::string AssignCopy(
     const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded);
 
+  // Finds the bounds of a band of rows, as high as a block, from so many rows of samples on, as far
+  // as there are any: the windows that begin last reach farthest.
+  static constexpr int RowsOfBand =
+    MinMaxPyramid::BlockSize - HeightWindows::Step + HeightWindows::Size + 1;
+  void BoundBand(int band, const float* const* rows, int count);
+
   Field<float> Prepared;
   RawArray<float> Copy;
   const float* MissingRow = nullptr;

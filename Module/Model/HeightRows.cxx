@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightRows.h"
 
+#include "HeightWindows.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -243,6 +245,100 @@ void BoundBlocks(const float* const* rows, int count, int columns, Bounds* block
   }
 }
 
+void RaiseTo(const float* others, std::size_t count, float* values)
+{
+  const Tag tag;
+  const std::size_t lanes = hn::Lanes(tag);
+  std::size_t k = 0;
+  for (; k + lanes <= count; k += lanes)
+  {
+    hn::StoreU(hn::Max(hn::LoadU(tag, values + k), hn::LoadU(tag, others + k)), tag, values + k);
+  }
+  for (; k < count; ++k)
+  {
+    values[k] = std::max(values[k], others[k]);
+  }
+}
+
+namespace
+{
+// The windows that begin at `lanes` columns, every second one of these: what is found in five
+// columns from there on.
+template <class Operation>
+HWY_INLINE Vector AlongWindows(Tag tag, const float* columns, Operation&& operation)
+{
+  static_assert(HeightWindows::Step == 2 && HeightWindows::Size == 4);
+  Vector a, b, c, d, e, unused;
+  hn::LoadInterleaved2(tag, columns, a, b);
+  hn::LoadInterleaved2(tag, columns + 2, c, d);
+  hn::LoadInterleaved2(tag, columns + 4, e, unused);
+  return operation(operation(operation(a, b), operation(c, d)), e);
+}
+}
+
+void BoundWindows(const float* const* rows, int count, int columns, float* lowest, float* highest)
+{
+  const Tag tag;
+  const int lanes = static_cast<int>(hn::Lanes(tag));
+  constexpr int step = HeightWindows::Step;
+  constexpr int most = 256;
+  HWY_ALIGN float lo[most + 64];
+  HWY_ALIGN float hi[most + 64];
+  const int number = (columns - 1 + step - 1) / step;
+  for (int begin = 0; begin < columns - 1; begin += most)
+  {
+    // Down the columns; NaN leaves what was found before.
+    const int size = std::min(most + HeightWindows::Size, columns - begin);
+    int i = 0;
+    for (; i + lanes <= size; i += lanes)
+    {
+      Vector low = hn::Set(tag, Infinity);
+      Vector high = hn::Set(tag, -Infinity);
+      for (int j = 0; j < count; ++j)
+      {
+        const Vector height = hn::LoadU(tag, rows[j] + begin + i);
+        low = hn::IfThenElse(hn::Lt(height, low), height, low);
+        high = hn::IfThenElse(hn::Gt(height, high), height, high);
+      }
+      hn::Store(low, tag, lo + i);
+      hn::Store(high, tag, hi + i);
+    }
+    for (; i < most + 64; ++i)
+    {
+      lo[i] = Infinity;
+      hi[i] = -Infinity;
+      for (int j = 0; j < count && i < size; ++j)
+      {
+        const float height = rows[j][begin + i];
+        lo[i] = height < lo[i] ? height : lo[i];
+        hi[i] = height > hi[i] ? height : hi[i];
+      }
+    }
+    // Then along the rows.
+    const int first = begin / step;
+    const int end = std::min(first + most / step, number);
+    for (int k = first; k < end; k += lanes)
+    {
+      const int at = k * step - begin;
+      const Vector low =
+        AlongWindows(tag, lo + at, [](Vector a, Vector b) { return hn::Min(a, b); });
+      const Vector high =
+        AlongWindows(tag, hi + at, [](Vector a, Vector b) { return hn::Max(a, b); });
+      if (k + lanes <= end)
+      {
+        hn::StoreU(low, tag, lowest + k);
+        hn::StoreU(high, tag, highest + k);
+        continue;
+      }
+      HWY_ALIGN float found[2 * 16];
+      hn::Store(low, tag, found);
+      hn::Store(high, tag, found + lanes);
+      std::copy_n(found, end - k, lowest + k);
+      std::copy_n(found + lanes, end - k, highest + k);
+    }
+  }
+}
+
 void BoundParents(const Bounds* first, const Bounds* second, int columns, Bounds* parents)
 {
   const Tag tag;
@@ -316,7 +412,9 @@ namespace relief
 HWY_EXPORT(ReadHeights);
 HWY_EXPORT(AddToRange);
 HWY_EXPORT(BoundBlocks);
+HWY_EXPORT(BoundWindows);
 HWY_EXPORT(BoundParents);
+HWY_EXPORT(RaiseTo);
 
 void ReadHeights(
   const float* values, int count, double scale, double datum, const float* noData, float* heights)
@@ -334,10 +432,20 @@ void BoundBlocks(const float* const* rows, int count, int columns, MinMaxPyramid
   HWY_DYNAMIC_DISPATCH(BoundBlocks)(rows, count, columns, blocks);
 }
 
+void BoundWindows(const float* const* rows, int count, int columns, float* lowest, float* highest)
+{
+  HWY_DYNAMIC_DISPATCH(BoundWindows)(rows, count, columns, lowest, highest);
+}
+
 void BoundParents(const MinMaxPyramid::Bounds* first, const MinMaxPyramid::Bounds* second,
   int columns, MinMaxPyramid::Bounds* parents)
 {
   HWY_DYNAMIC_DISPATCH(BoundParents)(first, second, columns, parents);
+}
+
+void RaiseTo(const float* others, std::size_t count, float* values)
+{
+  HWY_DYNAMIC_DISPATCH(RaiseTo)(others, count, values);
 }
 
 }

@@ -4,6 +4,8 @@
 
 #include "MinMaxPyramid.h"
 
+#include <cstddef>
+
 namespace relief
 {
 
@@ -24,9 +26,16 @@ void AddToRange(const float* heights, int count, float& lo, float& hi);
 /// `count` rows, from 2 to BlockSize + 1, of so many columns, at least 2.
 void BoundBlocks(const float* const* rows, int count, int columns, MinMaxPyramid::Bounds* blocks);
 
+/// Bounds of a row of windows, by the rules of HeightWindows: the windows' samples are in the
+/// `count` rows, from 2 to HeightWindows::Size + 1, of so many columns, at least 2.
+void BoundWindows(const float* const* rows, int count, int columns, float* lowest, float* highest);
+
 /// Bounds of a row of blocks from those of the next lower level: one or two rows of so many blocks.
 void BoundParents(const MinMaxPyramid::Bounds* first, const MinMaxPyramid::Bounds* second,
   int columns, MinMaxPyramid::Bounds* parents);
+
+/// Raises values to those of others, which may be the same row further on; none is NaN.
+void RaiseTo(const float* others, std::size_t count, float* values);
 
 }
 

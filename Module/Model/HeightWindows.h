@@ -9,9 +9,6 @@
 namespace relief
 {
 
-template <class T>
-struct HeightView;
-
 /// Least and greatest height in windows that overlap: one at every second sample, along both axes,
 /// four cells wide and high. So any three by three cells are in one window, and where those of one
 /// ray are, those of the ray beside it are beside: whole vectors of rays skip by them, each ray by
@@ -29,9 +26,9 @@ public:
   /// a row a reader may go on for `margin` more, where any number is.
   void Allocate(int columns, int rows, int margin);
 
-  /// Fills rows [begin, end) of windows from heights whose rows are contiguous. Distinct rows may
-  /// be filled at once.
-  void Build(const HeightView<float>& heights, int begin, int end);
+  /// Fills one row of windows from its samples: of `count` rows, from Step times the row on.
+  /// Distinct rows may be filled at once.
+  void BuildRow(int row, const float* const* samples, int count);
 
   int GetNumberOfRows() const { return this->Rows; }
 
@@ -48,6 +45,7 @@ private:
     return static_cast<std::size_t>(j / Step) * this->Pitch + static_cast<std::size_t>(i / Step);
   }
 
+  int Samples = 0; // in a row
   int Columns = 0;
   int Rows = 0;
   std::size_t Pitch = 0;

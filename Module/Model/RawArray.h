@@ -2,6 +2,8 @@
 #ifndef RawArray_h
 #define RawArray_h
 
+#include "LargePages.h"
+
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -38,10 +40,14 @@ public:
       this->Room.reset(); // first, so that never both take memory
       if (count > 0)
       {
-        this->Room.reset(static_cast<unsigned char*>(::operator new(count * sizeof(T) + Line)));
+        // Large ones have their pages to themselves, and get large ones.
+        const std::size_t begin = count * sizeof(T) < LargePage ? Line : LargePage;
+        const std::size_t bytes = (count * sizeof(T) + begin - 1) / begin * begin;
+        std::size_t space = bytes + begin;
+        this->Room.reset(static_cast<unsigned char*>(::operator new(space)));
         void* first = this->Room.get();
-        std::size_t space = count * sizeof(T) + Line;
-        this->Values = static_cast<T*>(std::align(Line, count * sizeof(T), first, space));
+        this->Values = static_cast<T*>(std::align(begin, bytes, first, space));
+        UseLargePages(this->Values, bytes);
       }
       this->Count = count;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SlidingBounds.h"
 
+#include "HeightRows.h"
+
 #include <algorithm>
 
 namespace relief
@@ -56,10 +58,7 @@ void SlidingBounds::Build(
           [&](int by)
           {
             const std::size_t apart = 3 * static_cast<std::size_t>(by);
-            for (std::size_t k = 0; k + apart < pitch; ++k)
-            {
-              own[k] = std::max(own[k], own[k + apart]);
-            }
+            RaiseTo(own + apart, pitch - std::min(apart, pitch), own);
           });
       }
     });
@@ -72,12 +71,8 @@ void SlidingBounds::Build(
         {
           for (int row = 0; row + by < rows; ++row)
           {
-            float* own = this->Greatest.data() + pitch * row;
-            const float* other = own + pitch * by;
-            for (int k = 3 * begin; k < 3 * end; ++k)
-            {
-              own[k] = std::max(own[k], other[k]);
-            }
+            float* own = this->Greatest.data() + pitch * row + 3 * begin;
+            RaiseTo(own + pitch * by, 3 * static_cast<std::size_t>(end - begin), own);
           }
         });
     });

@@ -2,6 +2,7 @@
 #include "PaddedHeights.h"
 
 #include "HeightField.h"
+#include "LargePages.h"
 
 #include "vtkObjectFactory.h"
 
@@ -10,35 +11,9 @@
 #include <limits>
 #include <new>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace relief::hosts
 {
 vtkStandardNewMacro(PaddedHeights);
-
-namespace
-{
-/// Memory that the system takes from nobody before it is written; null where there is none. Much of
-/// it in large pages: to be given small ones takes as long as to read the heights into them.
-float* Take(std::size_t bytes)
-{
-#ifdef __linux__
-  constexpr std::size_t page = std::size_t(2) << 20;
-  if (bytes >= 4 * page)
-  {
-    void* memory = std::aligned_alloc(page, (bytes + page - 1) / page * page);
-    if (memory)
-    {
-      madvise(memory, bytes, MADV_HUGEPAGE); // else they are small ones
-    }
-    return static_cast<float*>(memory);
-  }
-#endif
-  return static_cast<float*>(std::malloc(bytes));
-}
-}
 
 //------------------------------------------------------------------------------
 void PaddedHeights::Free::operator()(float* heights) const
@@ -60,11 +35,12 @@ void PaddedHeights::MakeRoom(vtkIdType columns, vtkIdType rows)
   this->Rows = rows;
   this->Pitch = columns + 2 * margin;
   const auto count = static_cast<std::size_t>(this->Pitch) * static_cast<std::size_t>(rows + 1);
-  this->Memory.reset(Take(count * sizeof(float)));
+  this->Memory.reset(static_cast<float*>(std::malloc(count * sizeof(float))));
   if (!this->Memory)
   {
     throw std::bad_alloc();
   }
+  relief::UseLargePages(this->Memory.get(), count * sizeof(float));
   this->First = this->Memory.get() + margin;
   const float none = std::numeric_limits<float>::quiet_NaN();
   for (vtkIdType j = 0; j < rows; ++j)

@@ -267,7 +267,6 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
   }
   if (this->Report)
   {
-    this->Report->Write(shading, scene, this->Given.Input, showsBar(this->Given));
     files.push_back(&this->Report->GetFile());
   }
   stopIfInterrupted();
@@ -277,6 +276,11 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
 //------------------------------------------------------------------------------
 ShadingReport Outputs::Write(vtkImageReliefShading* shading, vtkReliefScene* scene)
 {
+  // First, since what cannot be measured shall cost no shading.
+  if (this->Report)
+  {
+    this->Report->Write(shading, scene, this->Given.Input, showsBar(this->Given));
+  }
   ShadingReport report;
   if (shades(this->Given))
   {
