@@ -6,10 +6,26 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <sstream>
+#include <string>
 
 namespace bench
 {
 
+namespace
+{
+std::string Name(const char* before)
+{
+  std::ostringstream name;
+  name << before << "tolerance " << MarkedTolerance;
+  return name.str();
+}
+const std::string MarkedName = Name("");
+const std::string ExactMarkedName = Name("exact, ");
+}
+
+const char* const Marked = MarkedName.c_str();
+const char* const ExactMarked = ExactMarkedName.c_str();
 const char* const Lockstep = "exact, sun, in lockstep";
 const char* const LampScene = "exact, lamp";
 const char* const RayByRay = "exact, sun, ray by ray";

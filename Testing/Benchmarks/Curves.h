@@ -32,6 +32,10 @@ extern const char* const StepsBilinear;
 /// The tolerance that the charts mark and the comparisons take: the scene's default.
 constexpr double MarkedTolerance = 0.0003;
 
+/// What the charts call it, and the integrator with it.
+extern const char* const Marked;
+extern const char* const ExactMarked;
+
 /// Where the light of the curves stands: low enough for long shadows.
 constexpr double CurveAzimuth = 315.0;
 constexpr double CurveAltitude = 20.0;

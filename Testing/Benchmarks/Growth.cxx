@@ -68,7 +68,7 @@ std::vector<GrowthPoint> MeasureGrowth(int first, int last, int repetitions)
   for (const Fields& fields : sizes)
   {
     const double samples = static_cast<double>(fields.size) * fields.size;
-    add("exact, tolerance 0.002", fields, samples,
+    add(ExactMarked, fields, samples,
       [&](const relief::HeightField& field)
       { RunSweep(field, Medium(field, MarkedTolerance), sun, d.data()); });
     add("exact, tolerance 0", fields, samples,

@@ -38,7 +38,7 @@ Series Look(const std::string& name)
     { StepsPublished, { { 180, 30, 30 }, vtkPlotPoints::CROSS } },
     { StepsThickness, { { 230, 120, 0 }, vtkPlotPoints::PLUS } },
     { StepsBilinear, { { 150, 90, 160 }, vtkPlotPoints::CIRCLE } },
-    { "exact, tolerance 0.002", { { 0, 90, 181 }, vtkPlotPoints::CIRCLE } },
+    { ExactMarked, { { 0, 90, 181 }, vtkPlotPoints::CIRCLE } },
     { "exact, tolerance 0", { { 86, 180, 233 }, vtkPlotPoints::SQUARE } },
     { "double reference, ray by ray", { { 110, 110, 110 }, vtkPlotPoints::DIAMOND } },
     { "fixed steps of one sample", { { 180, 30, 30 }, vtkPlotPoints::CROSS } },
@@ -73,7 +73,7 @@ bool DrawCurves(
     chart.series.push_back(series);
   }
   Series preset;
-  preset.name = "tolerance 0.002";
+  preset.name = Marked;
   preset.line = false;
   preset.marker = vtkPlotPoints::CIRCLE;
   for (const CurvePoint& point : points)
@@ -100,8 +100,8 @@ void FollowSteps(const Relief& relief, int mostSteps, std::vector<CurvePoint>& p
     const StepsFor found = FindSteps(*field, stepping, MarkedTolerance, 1 << 20);
     if (found.steps == 0)
     {
-      std::cout << "  " << name << ": no number of steps for an error of 0.002, none below "
-                << found.error << "\n";
+      std::cout << "  " << name << ": no number of steps for an error of " << MarkedTolerance
+                << ", none below " << found.error << "\n";
       continue;
     }
     std::cout << "  " << name << ": " << found.steps << " steps for an error of " << found.error
@@ -127,7 +127,7 @@ bool DrawGrowth(const std::vector<GrowthPoint>& points, const std::string& fileN
   chart.powersOfTwo = true;
   chart.legendAbove = true;
   for (const char* name : { "fixed steps of one sample", "double reference, ray by ray",
-         "exact, tolerance 0", "exact, tolerance 0.002" })
+         "exact, tolerance 0", ExactMarked })
   {
     Series series = Look(name);
     for (const GrowthPoint& point : points)
