@@ -387,6 +387,7 @@ std::string vtkImageReliefShading::Internals::MakeOutput(vtkImageData* input,
     output->GetPointData()->SetScalars(picture);
     target.illumination = AddLayer(output, self->GenerateIllumination, "Illumination", 1);
     target.thickness = AddLayer(output, self->GenerateThickness, "Thickness", 1);
+    target.shadow = AddLayer(output, self->GenerateShadow, "Shadow", 1);
     target.normals = AddLayer(output, self->GenerateNormals, "Normals", 3);
     target.base = AddLayer(output, self->GenerateBase, "Base", 3);
     target.diffuse = AddLayer(output, self->GenerateDiffuse, "Diffuse", 3);
@@ -523,6 +524,10 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   // What is shaded, and where to.
   relief::Target target;
   std::string wrong = internal.Prepare(inputs);
+  if (wrong.empty() && this->GenerateShadow && internal.Scene.Get().sun.empty())
+  {
+    wrong = "the layer Shadow is that of a sun, and no sun is on; add a sun, or leave the layer out";
+  }
   wrong = wrong.empty()
     ? internal.MakeOutput(vtkImageData::GetData(inputs[0]), outInfo, last, target)
     : wrong;
@@ -578,6 +583,7 @@ void vtkImageReliefShading::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   printSwitch("GenerateIllumination", this->GenerateIllumination);
   printSwitch("GenerateThickness", this->GenerateThickness);
+  printSwitch("GenerateShadow", this->GenerateShadow);
   printSwitch("GenerateNormals", this->GenerateNormals);
   printSwitch("GenerateBase", this->GenerateBase);
   printSwitch("GenerateDiffuse", this->GenerateDiffuse);

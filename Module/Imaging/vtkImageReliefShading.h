@@ -164,6 +164,18 @@ public:
 
   ///@{
   /**
+   * The layer "Shadow": the share of the first sun's disc that the relief hides from a sample, from
+   * 0, lit, to 1, in shadow; 0 or 1 where the sun has no width. Geometry alone: depth, floor and
+   * everything else of the material do not matter, and slopes that face away are in shadow. As a
+   * scene without a sun has none, that is an error. Default: off.
+   */
+  vtkSetMacro(GenerateShadow, bool);
+  vtkGetMacro(GenerateShadow, bool);
+  vtkBooleanMacro(GenerateShadow, bool);
+  ///@}
+
+  ///@{
+  /**
    * The layer "Normals": unit surface normals in world coordinates, three components. Default: off.
    */
   vtkSetMacro(GenerateNormals, bool);
@@ -250,6 +262,7 @@ protected:
   int OutputScalarType = VTK_FLOAT;
   bool GenerateIllumination = false;
   bool GenerateThickness = false;
+  bool GenerateShadow = false;
   bool GenerateNormals = false;
   bool GenerateBase = false;
   bool GenerateDiffuse = false;

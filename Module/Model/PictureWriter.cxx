@@ -219,6 +219,7 @@ void WriteTile(const Target& target, const PictureParts& parts, const std::int32
     }
     WriteNumbers(target.illumination, row, illumination);
     WriteNumbers(target.thickness, row, tile.thickness.values);
+    WriteNumbers(target.shadow, row, tile.shadow.values);
     WriteVectors(target.normals, row, tile.normal, 3, black);
     WriteVectors(target.base, row, parts.bases ? tile.base : nullptr, 3, parts.base);
     WriteVectors(target.diffuse, row, planes(SceneTile::Diffuse), parts.channels, black);

@@ -20,6 +20,7 @@ struct Target
   unsigned char* rgba8 = nullptr;
   float* illumination = nullptr;
   float* thickness = nullptr;
+  float* shadow = nullptr;
   float* normals = nullptr; ///< 3 components, as those below
   float* base = nullptr;
   float* diffuse = nullptr;

@@ -36,6 +36,9 @@ struct Scene
   f64::ReliefMedium medium = { 1.0, f64::RELIEF_VERTICAL, f64::RELIEF_RECIPROCAL, 1.0, false, 0.0,
     0.0 };
   std::vector<Light> lights;
+  /// The directions of the first sun's disc, for the layer of its shadow alone; empty without a
+  /// sun.
+  std::vector<Light> sun;
   /// In stops: what colours are multiplied by, as a power of 2, where they become 8-bit numbers.
   double exposure = 0.0;
   Integrator integrator = Integrator::Exact;

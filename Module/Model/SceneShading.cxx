@@ -74,6 +74,10 @@ SceneShading::SceneShading(
   }
 
   this->MakeRoom();
+  if (target.shadow)
+  {
+    this->Shadow = std::make_unique<SunShadow>(field, scene.sun);
+  }
 
   this->Effects = FindEffects(scene, effects, anyTrace, target.normals != nullptr);
   this->HasNormals = (this->Effects & NormalsEffect) != 0;
@@ -285,6 +289,13 @@ void SceneShading::ShadeTile(SceneTile& tile)
           tile.normal[0].values[at], tile.normal[1].values[at], tile.normal[2].values[at]);
       });
   }
+  if (this->Shadow)
+  {
+    RayCount work;
+    this->Shadow->ShadeTile(tile.column, tile.row, tile.shadow.values, work);
+    this->ShadowRays += work.rays;
+    this->Cells += work.cells;
+  }
   for (std::size_t index = 0; index < this->Plans.size(); ++index)
   {
     const Plan& plan = this->Plans[index];
@@ -492,7 +503,7 @@ int SceneShading::GetLightsTraced() const
 
 std::uint64_t SceneShading::GetRaysTraced() const
 {
-  std::uint64_t rays = 0;
+  std::uint64_t rays = this->ShadowRays;
   for (std::size_t index = 0; index < this->Plans.size(); ++index)
   {
     rays += this->Rays[index];

@@ -7,6 +7,7 @@
 #include "IlluminationCache.h"
 #include "PictureWriter.h"
 #include "SceneLanes.h"
+#include "SunShadow.h"
 #include "SweepThickness.h"
 
 #include <atomic>
@@ -90,7 +91,9 @@ private:
   f32::ReliefFalloff SpecularFalloff;
   f32::ReliefFalloff ScatterFalloff;
   std::vector<Plan> Plans;
+  std::unique_ptr<SunShadow> Shadow;
   std::unique_ptr<std::atomic<std::uint64_t>[]> Rays; // per light
+  std::atomic<std::uint64_t> ShadowRays{ 0 };
   std::atomic<std::uint64_t> Cells{ 0 };
   bool Rounds = false; // sums are double, of several lights or for textures
   bool HasNormals = false;

@@ -52,6 +52,7 @@ struct SceneTile
   Plane<float> d;
   Plane<float> r;
   Plane<float> thickness; // r of the first light
+  Plane<float> shadow;    // of the first sun
   Plane<float> share;     // of a light, in a term
   Color<float> normal;
   Color<float> toLight;

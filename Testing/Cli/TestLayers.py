@@ -123,6 +123,38 @@ class Layers(Case):
         self.good("hills.asc", "--layers", "comp.exr")
         self.assertNotIn("relief:environment:image", self.header("comp.exr"))
 
+    @needsGdalTools
+    def test_shadow_mask(self):
+        sun = ("--sun", "300,9", "--floor", "-3", "--depth", "40")
+        self.good("hills.asc", "mask.tif", "--quiet", "--layers", "shadow", *sun, "--shadow-mask",
+                  "shadow.tif")
+        share = self.values("mask-shadow.tif")
+        codes, alpha = self.values("shadow.tif"), self.values("shadow.tif", 2)
+        self.assertEqual({0, 1}, {value for value in share if not math.isnan(value)})
+        self.assertEqual(list(codes),
+                         [0 if math.isnan(value) else 255 * value for value in share])
+        self.assertEqual(list(alpha), [0 if math.isnan(value) else 255 for value in share])
+        self.assertEqual(self.info("shadow.tif")["geoTransform"],
+                         self.info("mask.tif")["geoTransform"])
+        # Nothing of the material matters; a width makes edges soft.
+        self.good("hills.asc", "--shadow-mask", "alone.tif", "--sun", "300,9", "--ks", "1")
+        self.assertEqual(self.values("alone.tif"), codes)
+        self.good("hills.asc", "--shadow-mask", "soft.tif", "--sun", "300,9", "--sun-diameter", "8")
+        self.assertTrue(any(0 < value < 255 for value in self.values("soft.tif")))
+        self.good("hills.asc", "--shadow-mask", "value.tif", "--sun", "300,9", "--nodata-out",
+                  "value")
+        self.assertEqual(self.info("value.tif")["bands"][0]["noDataValue"], 0)
+        self.good("hills.asc", "--shadow-mask", "a.png", "--sun", "300,9")
+        self.assertEqual(self.values("a.png"), codes)
+
+    def test_shadow_mask_refusals(self):
+        self.bad(1, ["no sun is on"], "hills.asc", "--shadow-mask", "a.png", "--preset", "sky-dome")
+        self.bad(2, ["--shadow-mask", "'a.exr'", "--layers shadow"],
+                 "hills.asc", "--shadow-mask", "a.exr")
+        self.bad(2, ["--shadow-mask"], "hills.asc", "o.png", "--shadow-mask", "./o.png")
+        self.bad(2, ["INPUT"], "hills.asc", "--shadow-mask", "hills.asc")
+        self.assertEqual(os.listdir(self.folder), ["hills.asc"])
+
     def test_refusals(self):
         self.bad(2, "OUTPUT", "hills.asc")
         self.bad(2, "OUTPUT", "hills.asc", "--layers", "normals")

@@ -20,11 +20,11 @@ OPTIONS = """
     --nodata-out
     --offset --part --point --preset --quiet --save-scene --scatter-power --scatter-range --scene
     --smooth-steps --spacing --specular --specular-power --specular-range --specular-texture
-    --statistics --steps --sun --sun-diameter --sun-samples --texture --threads --tint --tolerance --type --verify --version
+    --shadow-mask --statistics --steps --sun --sun-diameter --sun-samples --texture --threads --tint --tolerance --type --verify --version
 """.split()
 WITHOUT_DEFAULT = """
     --accuracy-report --base-texture --co --degrees --env --env-mirror --help --help-all --layers --mask --point --preset --quiet
-    --save-scene --scene --smooth-steps --specular-texture --statistics --sun --texture --tint --version
+    --save-scene --scene --shadow-mask --smooth-steps --specular-texture --statistics --sun --texture --tint --version
 """.split()
 
 

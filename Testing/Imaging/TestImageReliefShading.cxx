@@ -59,7 +59,7 @@ void TestDefaults()
   filter->Print(printed);
   for (const char* name :
     { "Scene", "NoDataValue", "UseNoDataValue", "OutputScalarType", "GenerateIllumination",
-      "GenerateThickness", "GenerateNormals", "GenerateBase", "GenerateDiffuse", "GenerateScatter",
+      "GenerateThickness", "GenerateShadow", "GenerateNormals", "GenerateBase", "GenerateDiffuse", "GenerateScatter",
       "GenerateSpecular", "CacheMemoryLimit", "Statistics" })
   {
     CHECK(printed.str().find(std::string(name) + ":") != std::string::npos);

@@ -43,6 +43,7 @@ void SetUp(vtkImageReliefShading* filter, int offsetMode, bool exposed)
   filter->GetScene()->AddLight(lamp);
   filter->GenerateIlluminationOn();
   filter->GenerateThicknessOn();
+  filter->GenerateShadowOn();
   filter->GenerateNormalsOn();
   filter->GetScene()->SetAutomaticExposure(exposed);
   filter->SetOutputScalarType(exposed ? VTK_UNSIGNED_CHAR : VTK_FLOAT);

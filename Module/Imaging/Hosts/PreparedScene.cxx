@@ -118,7 +118,7 @@ std::string PreparedScene::Update(
   }
   std::string wrong =
     ConvertLights(origin.scene, origin.standIns.empty() ? nullptr : standIns.Get(),
-      inputs.GetEnvironmentLights(), inputs.GetFrame(), field, scene.lights);
+      inputs.GetEnvironmentLights(), inputs.GetFrame(), field, scene.lights, scene.sun);
   wrong = wrong.empty() ? inputs.GetTextures().AddTo(scene) : wrong;
   if (wrong.empty())
   {

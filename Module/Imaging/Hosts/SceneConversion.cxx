@@ -106,9 +106,10 @@ static std::string ConvertLight(
 //------------------------------------------------------------------------------
 std::string ConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
   EnvironmentLights& environmentLights, const ImageFrame& frame, const HeightField& field,
-  std::vector<Light>& result)
+  std::vector<Light>& result, std::vector<Light>& sun)
 {
   result.clear();
+  sun.clear();
   vtkReliefEnvironment* environment = scene->GetEnvironment();
   vtkNew<vtkReliefScene> unlit;
   vtkLightCollection* lights = scene->GetLights();
@@ -137,6 +138,10 @@ std::string ConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
       const std::vector<Light> disc = SampleDisc(
         converted, vtkMath::RadiansFromDegrees(diameter), scene->GetNumberOfSunSamples());
       result.insert(result.end(), disc.begin(), disc.end());
+      if (sun.empty() && !converted.positional)
+      {
+        sun = disc;
+      }
     }
     ++lightIndex;
   }

@@ -89,15 +89,15 @@ namespace reliefshade
 //------------------------------------------------------------------------------
 const LayerNames& layerNames()
 {
-  static const LayerNames names{ "illumination", "thickness", "normals", "base", "diffuse",
-    "scatter", "specular" };
+  static const LayerNames names{ "illumination", "thickness", "shadow", "normals", "base",
+    "diffuse", "scatter", "specular" };
   return names;
 }
 
 //------------------------------------------------------------------------------
 int layerComponents(const std::string& layer)
 {
-  return layer == "illumination" || layer == "thickness" ? 1 : 3;
+  return layer == "illumination" || layer == "thickness" || layer == "shadow" ? 1 : 3;
 }
 
 //------------------------------------------------------------------------------
@@ -107,6 +107,7 @@ void generateLayers(const LayerNames& layers, vtkImageReliefShading* shading)
   {
     shading->SetGenerateIllumination(shading->GetGenerateIllumination() || layer == "illumination");
     shading->SetGenerateThickness(shading->GetGenerateThickness() || layer == "thickness");
+    shading->SetGenerateShadow(shading->GetGenerateShadow() || layer == "shadow");
     shading->SetGenerateNormals(shading->GetGenerateNormals() || layer == "normals");
     shading->SetGenerateBase(shading->GetGenerateBase() || layer == "base");
     shading->SetGenerateDiffuse(shading->GetGenerateDiffuse() || layer == "diffuse");
@@ -121,6 +122,23 @@ vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->CopyStructure(result);
   image->GetPointData()->SetScalars(layerArray(result, layer));
+  return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> maskImage(vtkImageData* result)
+{
+  const float* hidden = layerArray(result, "shadow")->GetPointer(0);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->CopyStructure(result);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* rgba = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i, rgba += 4)
+  {
+    const bool none = std::isnan(hidden[i]);
+    std::fill_n(rgba, 3, static_cast<unsigned char>(none ? 0.0f : 255.0f * hidden[i] + 0.5f));
+    rgba[3] = none ? 0 : 255;
+  }
   return image;
 }
 

@@ -28,6 +28,9 @@ void generateLayers(const LayerNames& layers, vtkImageReliefShading* shading);
 /// One of the result's layers as an image of its own.
 vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string& layer);
 
+/// The layer of the shadow as a grey picture, 255 in shadow; transparent where there is no data.
+vtkSmartPointer<vtkImageData> maskImage(vtkImageData* result);
+
 /// Writes one OpenEXR file of linear colour and layers, which is to be kept when all is written.
 class LayersWriter
 {

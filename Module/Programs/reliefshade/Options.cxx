@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 namespace
@@ -292,8 +293,26 @@ void setLayers(std::string list, Options& options)
   if (file)
   {
     options.LayersFile = list;
-    options.Layers = options.Layers.empty() ? layerNames() : options.Layers;
+    if (options.Layers.empty())
+    {
+      // All that every scene has: it may have no sun.
+      const LayerNames& names = layerNames();
+      std::copy_if(names.begin(), names.end(), std::back_inserter(options.Layers),
+        [](const std::string& name) { return name != "shadow"; });
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+void setShadowMask(const std::string& file, Options& options)
+{
+  if (usualScalarType(file) == VTK_FLOAT)
+  {
+    throw Failure("--shadow-mask",
+      "'" + file + "' has no 8-bit pictures; name a TIFF or PNG, or take --layers shadow",
+      UsageFailure);
+  }
+  options.ShadowMask = file;
 }
 
 //------------------------------------------------------------------------------
@@ -368,9 +387,17 @@ void addRunOptions(OptionParser& parser, Options& options)
     "where there is no data. As an OpenEXR file: linear colour and the layers named before it, or "
     "all, in this one file, named as compositing programs expect; OUTPUT may be left out then. "
     "illumination: share of the light that gets through; thickness: length of the first light's "
-    "way inside the material; normals: unit surface normals; base, diffuse, scatter, specular: "
-    "linear colours that sum to the result",
+    "way inside the material; shadow: share of the first sun that the relief hides, which has to "
+    "be "
+    "named; normals: unit surface normals; base, diffuse, scatter, specular: linear colours that "
+    "sum to the result",
     [&options](const std::string& list) { setLayers(list, options); });
+  parser.Word("--shadow-mask", "FILE",
+    "Writes where the first sun is hidden by the relief, whatever the material: an 8-bit grey "
+    "picture, 255 in shadow, 0 in the sun, between them what share of a sun with a width is "
+    "hidden. As OUTPUT, it has the georeference and tells where there is no data. OUTPUT may be "
+    "left out",
+    [&options](const std::string& file) { setShadowMask(file, options); });
   parser.Flag("--statistics",
     "Prints what was read and done. To the standard output, one 'name: value' in a line",
     options.Statistics);
@@ -506,6 +533,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
     throw Failure("", oneLine(error.what()), UsageFailure);
   }
   const bool pictureless = !options.LayersFile.empty() ||
+    (options.Layers.empty() && !options.ShadowMask.empty()) ||
     (options.Layers.empty() && (!options.AccuracyReport.empty() || options.VerifiedSamples > 0));
   if (options.Input.empty() || (options.Output.empty() && !pictureless))
   {

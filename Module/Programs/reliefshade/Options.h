@@ -76,6 +76,9 @@ struct Options
   /// One OpenEXR file for the colour and these layers; if empty, each layer has a file of its own.
   std::string LayersFile;
 
+  /// The picture of the first sun's shadow; empty for none.
+  std::string ShadowMask;
+
   /// The file that what accuracy costs is written to; empty for none.
   std::string AccuracyReport;
   /// How many samples are retraced after shading, 0 for none, and which.

@@ -45,6 +45,7 @@ void checkNames(const Options& options)
   {
     add(outputs, layerFile(options, layer), "--layers");
   }
+  add(outputs, options.ShadowMask, "--shadow-mask");
   add(outputs, options.SavedScene, "--save-scene");
   add(outputs, options.AccuracyReport, "--accuracy-report");
   keepApart(inputs, outputs);

@@ -34,7 +34,7 @@ namespace reliefshade
 //------------------------------------------------------------------------------
 bool writesTiff(const Options& options)
 {
-  return isGeoTiff(options.Output) ||
+  return isGeoTiff(options.Output) || isGeoTiff(options.ShadowMask) ||
     (options.LayersFile.empty() &&
       std::any_of(options.Layers.begin(), options.Layers.end(),
         [&options](const std::string& layer) { return isGeoTiff(layerFile(options, layer)); }));
@@ -92,7 +92,8 @@ void checkOutputOptions(const Options& options)
   {
     throw needsTiff(option);
   }
-  if (options.NoDataOut == Options::ByValue && !isGeoTiff(options.Output))
+  if (options.NoDataOut == Options::ByValue && !isGeoTiff(options.Output) &&
+    !(options.Output.empty() && isGeoTiff(options.ShadowMask)))
   {
     throw needsTiff("--nodata-out"); // which is not about layers
   }

@@ -7,6 +7,20 @@
 namespace reliefshade
 {
 
+namespace
+{
+/// As the user has asked for it, where the file's format can.
+void markNoData(const Options& options, const std::string& file, bool lacksData, PictureForm& form)
+{
+  if (options.NoDataOut == Options::ByAlpha ||
+    (options.NoDataOut == Options::ByValue && isGeoTiff(file)))
+  {
+    form.Alpha = lacksData && options.NoDataOut == Options::ByAlpha;
+    form.ByValue = lacksData && options.NoDataOut == Options::ByValue;
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 std::string colorOf(const Options& options)
 {
@@ -51,11 +65,17 @@ PictureForm formOfOutput(const Options& options, bool lacksData)
     form.Alpha = false;
     form.ByValue = lacksData && isGeoTiff(options.Output);
   }
-  if (options.NoDataOut != Options::UsualNoData)
-  {
-    form.Alpha = lacksData && options.NoDataOut == Options::ByAlpha;
-    form.ByValue = lacksData && options.NoDataOut == Options::ByValue;
-  }
+  markNoData(options, options.Output, lacksData, form);
+  return form;
+}
+
+//------------------------------------------------------------------------------
+PictureForm formOfMask(const Options& options, bool lacksData)
+{
+  PictureForm form = usualForm(options.ShadowMask, VTK_UNSIGNED_CHAR, true, lacksData);
+  form.Tiff = options.Tiff;
+  form.Tiff.Threads = options.Threads;
+  markNoData(options, options.ShadowMask, lacksData, form);
   return form;
 }
 

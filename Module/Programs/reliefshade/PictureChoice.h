@@ -20,6 +20,9 @@ PictureForm formOfOutput(const Options& options, bool lacksData);
 /// What the file of a layer of so many components holds.
 PictureForm formOfLayer(const Options& options, int components);
 
+/// What the picture of the shadow holds.
+PictureForm formOfMask(const Options& options, bool lacksData);
+
 /// VTK_FLOAT or VTK_UNSIGNED_CHAR, as the options say or the format has it usually.
 int outputType(const Options& options);
 

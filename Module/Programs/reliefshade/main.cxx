@@ -77,7 +77,8 @@ bool showsBar(const Options& options)
 /// Whether a picture is wanted: a report measures by itself.
 bool shades(const Options& options)
 {
-  return !options.Output.empty() || !options.LayersFile.empty() || options.VerifiedSamples > 0;
+  return !options.Output.empty() || !options.LayersFile.empty() || !options.ShadowMask.empty() ||
+    options.VerifiedSamples > 0;
 }
 
 //------------------------------------------------------------------------------
@@ -90,6 +91,7 @@ double shadedBytes(const Options& options)
   {
     bytes += 4.0 * layerComponents(layer);
   }
+  bytes += options.ShadowMask.empty() ? 0.0 : 8.0; // the layer, and the picture of it
   if (!options.LayersFile.empty() && !isFloat)
   {
     bytes += 4.0 * 12.0 + 16.0; // the colour's parts, and their sum
@@ -164,6 +166,7 @@ private:
   std::optional<PictureOutput> Picture;
   std::optional<LayersWriter> Layers;
   std::vector<std::unique_ptr<PictureOutput>> LayerPictures; // as the options list them
+  std::optional<PictureOutput> Mask;
   std::optional<OutputFile> Scene;
   std::optional<AccuracyOutput> Report;
 };
@@ -193,6 +196,12 @@ Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
         std::make_unique<PictureOutput>(layerFile(options, layer), form, this->Reference));
       bytes += this->LayerPictures.back()->GetBytesPerSample();
     }
+  }
+  if (!options.ShadowMask.empty())
+  {
+    const PictureForm form = formOfMask(options, relief::raster::LacksData(raster));
+    this->Mask.emplace(options.ShadowMask, form, this->Reference);
+    bytes += this->Mask->GetBytesPerSample();
   }
   if (!options.SavedScene.empty())
   {
@@ -226,6 +235,10 @@ void Outputs::Begin(vtkImageReliefShading* shading)
   {
     picture->Begin(size);
   }
+  if (this->Mask)
+  {
+    this->Mask->Begin(size);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +251,10 @@ void Outputs::WriteRows(vtkImageData* part)
   for (std::size_t k = 0; k < this->LayerPictures.size(); ++k)
   {
     this->LayerPictures[k]->WriteRows(layerImage(part, this->Given.Layers[k]));
+  }
+  if (this->Mask)
+  {
+    this->Mask->WriteRows(maskImage(part));
   }
 }
 
@@ -259,6 +276,11 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
   {
     picture->Finish();
     files.push_back(&picture->GetFile());
+  }
+  if (this->Mask)
+  {
+    this->Mask->Finish();
+    files.push_back(&this->Mask->GetFile());
   }
   if (this->Scene)
   {
@@ -290,6 +312,7 @@ ShadingReport Outputs::Write(vtkImageReliefShading* shading, vtkReliefScene* sce
     const bool atOnce = shadesAtOnce(this->Given);
     const int rows = atOnce ? 0 : rowsOfBand(columns, shadedBytes(this->Given));
     const bool upward = (this->Picture && this->Picture->IsUpward()) ||
+      (this->Mask && this->Mask->IsUpward()) ||
       (!this->LayerPictures.empty() && this->LayerPictures.front()->IsUpward());
     if (!atOnce)
     {
@@ -506,6 +529,7 @@ void run(const Options& options)
   shading->SetOutputScalarType(outputType(options));
   readPictures(options, raster, budget, shading);
   generateLayers(options.Layers, shading);
+  shading->SetGenerateShadow(shading->GetGenerateShadow() || !options.ShadowMask.empty());
   if (outputs.GetLayersWriter())
   {
     outputs.GetLayersWriter()->Prepare(shading);
