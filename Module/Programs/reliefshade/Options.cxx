@@ -393,10 +393,9 @@ void addRunOptions(OptionParser& parser, Options& options)
     "sum to the result",
     [&options](const std::string& list) { setLayers(list, options); });
   parser.Word("--shadow-mask", "FILE",
-    "Writes where the first sun is hidden by the relief, whatever the material: an 8-bit grey "
-    "picture, 255 in shadow, 0 in the sun, between them what share of a sun with a width is "
-    "hidden. As OUTPUT, it has the georeference and tells where there is no data. OUTPUT may be "
-    "left out",
+    "Writes where the relief hides the first sun, whatever the material. An 8-bit grey picture: "
+    "255 in shadow, 0 in the sun, between them the share that is hidden of a sun with a width. As "
+    "OUTPUT, it has the georeference and tells where there is no data. OUTPUT may be left out",
     [&options](const std::string& file) { setShadowMask(file, options); });
   parser.Flag("--statistics",
     "Prints what was read and done. To the standard output, one 'name: value' in a line",
