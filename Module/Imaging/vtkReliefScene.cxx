@@ -18,8 +18,11 @@
 #include "vtkReliefSetters.h"
 
 #include "ClearSky.h"
+#include "ClockTime.h"
+#include "SolarPosition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -198,6 +201,42 @@ vtkLight* vtkReliefScene::AddSun(double azimuth, double altitude, double angular
   this->SetAngularDiameter(sun, angularDiameter);
   this->AddLight(sun);
   return sun;
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefScene::FindSun(const char* time, double longitude, double latitude, double elevation,
+  bool refraction, double angles[2])
+{
+  relief::ClockTime moment;
+  std::string wrong = relief::ParseTime(time ? time : "", moment);
+  wrong = wrong.empty() ? relief::CheckPlace(longitude, latitude, elevation) : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("FindSun: " << wrong << ".");
+    return false;
+  }
+  const relief::SolarPosition sun = relief::FindSun(relief::JulianDay(moment), longitude, latitude,
+    refraction ? relief::StandardAir(elevation) : relief::Air());
+  angles[0] = sun.azimuth;
+  angles[1] = sun.altitude;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkReliefScene::AddSunAt(const char* time, double longitude, double latitude,
+  double convergence, double elevation, bool refraction)
+{
+  if (!std::isfinite(convergence))
+  {
+    vtkErrorMacro("AddSunAt: the convergence " << convergence
+                                               << " was given, finite degrees are expected; no "
+                                                  "light is added.");
+    return nullptr;
+  }
+  double angles[2];
+  return this->FindSun(time, longitude, latitude, elevation, refraction, angles)
+    ? this->AddSun(angles[0] - convergence, angles[1])
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
