@@ -107,7 +107,8 @@ void addSceneOptions(OptionParser& parser, Options& options)
   parser.SetGroup("Scene");
   parser.Word("--scene", "FILE",
     "Material, lights and accuracy from a file. Options change it: "
-    "--sun, --point and --preset take the place of its lights, --env and a --preset that of its "
+    "--sun, --sun-at, --frames, --point and --preset take the place of its lights, --env and a "
+    "--preset that of its "
     "environment. Positions of its lights are those of --point",
     [&options](const std::string& word) { options.SceneFile = word; });
   parser.Word("--save-scene", "FILE", "Keeps what was used, for --scene",
@@ -386,6 +387,8 @@ const char* const Usage =
   "  reliefshade terrain.tif shaded.tif\n"
   "  reliefshade terrain.tif shaded.png --height-scale 2 --depth 200 --sun 315,30\n"
   "  reliefshade terrain.tif sky.png --preset sun-and-sky --texture orthophoto.tif\n"
+  "  reliefshade terrain.tif day.png --frames "
+  "2026-06-21T05:00Z,2026-06-21T20:00Z,15min\n"
   "  reliefshade grid.asc shaded.exr --layers illumination,normals\n"
   "  reliefshade relief.png wax.png --height-scale 0.01 --kf 0.5 --point 9,9,20\n\n"
   "Shades a height field: light, soft shadows, translucency and highlights.\n\n"
@@ -523,6 +526,16 @@ bool parseOptions(int argc, char* argv[], Options& options)
   if (options.VerifiedSamples > 0 && options.Scene->GetIntegrator() != vtkReliefScene::Exact)
   {
     throw Failure("--verify", "fixed steps promise nothing; --integrator exact does", UsageFailure);
+  }
+  if (options.Times.Frames && !options.SavedScene.empty())
+  {
+    throw Failure("--save-scene", "a scene has one sun; --sun-at instead of --frames is expected",
+      UsageFailure);
+  }
+  if (options.Times.Frames && !options.AccuracyReport.empty())
+  {
+    throw Failure("--accuracy-report",
+      "it is of one scene; --sun-at instead of --frames is expected", UsageFailure);
   }
   checkNames(options);
   checkOutputOptions(options);
