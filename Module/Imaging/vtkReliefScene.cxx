@@ -3,6 +3,7 @@
 
 #include "HeightScale.h"
 #include "SceneParameters.h"
+#include "SunAt.h"
 #include "vtkCollectionRange.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -18,12 +19,11 @@
 #include "vtkReliefSetters.h"
 
 #include "ClearSky.h"
-#include "ClockTime.h"
-#include "SolarPosition.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkReliefScene);
@@ -215,8 +215,8 @@ bool vtkReliefScene::FindSun(const char* time, double longitude, double latitude
     vtkErrorMacro("FindSun: " << wrong << ".");
     return false;
   }
-  const relief::SolarPosition sun = relief::FindSun(relief::JulianDay(moment), longitude, latitude,
-    refraction ? relief::StandardAir(elevation) : relief::Air());
+  const relief::SolarPosition sun = relief::hosts::SunAt(
+    moment, longitude, latitude, refraction ? std::optional<double>(elevation) : std::nullopt);
   angles[0] = sun.azimuth;
   angles[1] = sun.altitude;
   return true;

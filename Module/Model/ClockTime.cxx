@@ -3,8 +3,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <cstdlib>
+#include <iomanip>
+#include <sstream>
 
 namespace relief
 {
@@ -336,30 +337,35 @@ std::string NameOf(const ClockTime& time, bool seconds)
   const std::int64_t local = time.milliseconds + time.zone * Minute;
   const std::int64_t days = local >= 0 ? local / Day : -((Day - 1 - local) / Day);
   const Date date = DateOf(days);
-  const int rest = static_cast<int>(local - days * Day);
-  char text[64];
-  int length = std::snprintf(text, sizeof text, "%04d%02d%02dT%02d%02d", date.year, date.month,
-    date.day, static_cast<int>(rest / Hour), static_cast<int>(rest % Hour / Minute));
-  std::string name(text, length);
-  const int thousandths = static_cast<int>(rest % Second);
+  const std::int64_t rest = local - days * Day;
+  std::ostringstream name;
+  name.fill('0');
+  const auto add = [&name](int digits, std::int64_t number)
+  { name << std::setw(digits) << number; };
+  add(4, date.year);
+  add(2, date.month);
+  add(2, date.day);
+  name << 'T';
+  add(2, rest / Hour);
+  add(2, rest % Hour / Minute);
   if (seconds || rest % Minute != 0)
   {
-    length = std::snprintf(text, sizeof text, "%02d", static_cast<int>(rest % Minute / Second));
-    name.append(text, length);
+    add(2, rest % Minute / Second);
   }
-  if (thousandths != 0)
+  if (rest % Second != 0)
   {
-    length = std::snprintf(text, sizeof text, ".%03d", thousandths);
-    name.append(text, length);
+    name << '.';
+    add(3, rest % Second);
   }
   if (time.zone == 0)
   {
-    return name + "Z";
+    name << 'Z';
+    return name.str();
   }
-  const int zone = std::abs(time.zone);
-  length =
-    std::snprintf(text, sizeof text, "%c%02d%02d", time.zone < 0 ? '-' : '+', zone / 60, zone % 60);
-  return name.append(text, length);
+  name << (time.zone < 0 ? '-' : '+');
+  add(2, std::abs(time.zone) / 60);
+  add(2, std::abs(time.zone) % 60);
+  return name.str();
 }
 
 }

@@ -387,8 +387,6 @@ const char* const Usage =
   "  reliefshade terrain.tif shaded.tif\n"
   "  reliefshade terrain.tif shaded.png --height-scale 2 --depth 200 --sun 315,30\n"
   "  reliefshade terrain.tif sky.png --preset sun-and-sky --texture orthophoto.tif\n"
-  "  reliefshade terrain.tif day.png --frames "
-  "2026-06-21T05:00Z,2026-06-21T20:00Z,15min\n"
   "  reliefshade grid.asc shaded.exr --layers illumination,normals\n"
   "  reliefshade relief.png wax.png --height-scale 0.01 --kf 0.5 --point 9,9,20\n\n"
   "Shades a height field: light, soft shadows, translucency and highlights.\n\n"

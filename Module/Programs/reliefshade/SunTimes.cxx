@@ -6,7 +6,6 @@
 #include "MapPlace.h"
 #include "OptionParser.h"
 #include "Options.h"
-#include "SolarPosition.h"
 #include "vtkReliefAngles.h"
 
 #include <algorithm>
@@ -118,32 +117,34 @@ relief::ClockTime FrameTimes::TimeOf(int frame) const
 void addSunTimes(OptionParser& parser, Options& options, void (*prepare)(Options&))
 {
   parser
-    .Word("--sun-at", "TIME[,LON,LAT[,I[,R,G,B]]]",
+    .Word("--sun-at", "TIME[,LON,LAT...]",
       "The sun of a time. ISO 8601 with a zone, 2026-06-21T06:30+02:00 or 2026-06-21T04:30Z, of "
       "the "
-      "years 1600 to 2399; at a longitude to the east and a latitude to the north, in degrees, "
-      "default: those of INPUT's centre, if its georeference tells; the map's deviation from true "
-      "north there counts. Intensity and colour as for --sun",
+      "years 1600 to 2399; LON to the east and LAT to the north in degrees. What the map's north "
+      "is "
+      "beside the true one counts. I,R,G,B may follow, intensity and colour. Default: the place of "
+      "INPUT's centre, if its georeference tells it",
       [&options, prepare](const std::string& word)
       {
         prepare(options);
         options.Times.Suns.push_back(toSun("--sun-at", split(word), 1, options));
       })
     ->trigger_on_parse();
-  parser.Word("--frames", "START,END,STEP[,LON,LAT[,I[,R,G,B]]]",
-    "The sun of several times, a picture for each. START and END as TIME of --sun-at; STEP as "
-    "15min, 30s, 1h or PT15M. The names of files get the time before their extension, in START's "
-    "zone: shaded_20260621T0630+0200.png. A frame's files appear when it is whole. With --exposure "
-    "auto each frame has its own",
+  parser.Word("--frames", "START,END,STEP[...]",
+    "A picture for each of several times. Of the sun from START to END, which are as TIME above, "
+    "each STEP later: 15min, 30s, 1h or PT15M. LON,LAT,I,R,G,B may follow. The names of files get "
+    "the "
+    "time before their extension, in START's zone: shaded_20260621T0630+0200.png. A frame's files "
+    "appear when it is whole. An automatic exposure is each frame's own",
     [&options, prepare](const std::string& word)
     {
       prepare(options);
       setFrames(word, options);
     });
   parser.Word("--refraction", "M|off",
-    "How air bends the sunlight of --sun-at and --frames. By the standard atmosphere at a height "
-    "of "
-    "M metres above the sea, from -1000 to 11000; off: not at all. Default: 0",
+    "How air bends the light of --sun-at. And of --frames: by the standard atmosphere M metres "
+    "above "
+    "the sea, at most 11000; off: not at all. Default: 0",
     [&options](const std::string& word)
     {
       if (isWord(word, "off"))
@@ -196,10 +197,8 @@ SunClock::SunClock(const Options& options, const relief::raster::RasterHeader& r
 SunClock::Angles SunClock::AnglesOf(const TimedSun& sun, const relief::ClockTime& time) const
 {
   const std::array<double, 2> place = sun.Place.value_or(this->Center);
-  const relief::Air air =
-    this->Times.Elevation ? relief::StandardAir(*this->Times.Elevation) : relief::Air();
   const relief::SolarPosition position =
-    relief::FindSun(relief::JulianDay(time), place[0], place[1], air);
+    relief::hosts::SunAt(time, place[0], place[1], this->Times.Elevation);
   return { position.azimuth - this->Convergence, position.altitude };
 }
 

@@ -2,7 +2,7 @@
 #ifndef SunTimes_h
 #define SunTimes_h
 
-#include "ClockTime.h"
+#include "SunAt.h"
 
 #include "vtkLight.h"
 #include "vtkSmartPointer.h"
