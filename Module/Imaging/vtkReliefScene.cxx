@@ -3,6 +3,7 @@
 
 #include "HeightScale.h"
 #include "SceneParameters.h"
+#include "SunAt.h"
 #include "vtkCollectionRange.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -20,7 +21,9 @@
 #include "ClearSky.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkReliefScene);
@@ -198,6 +201,42 @@ vtkLight* vtkReliefScene::AddSun(double azimuth, double altitude, double angular
   this->SetAngularDiameter(sun, angularDiameter);
   this->AddLight(sun);
   return sun;
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefScene::FindSun(const char* time, double longitude, double latitude, double elevation,
+  bool refraction, double angles[2])
+{
+  relief::ClockTime moment;
+  std::string wrong = relief::ParseTime(time ? time : "", moment);
+  wrong = wrong.empty() ? relief::CheckPlace(longitude, latitude, elevation) : wrong;
+  if (!wrong.empty())
+  {
+    vtkErrorMacro("FindSun: " << wrong << ".");
+    return false;
+  }
+  const relief::SolarPosition sun = relief::hosts::SunAt(
+    moment, longitude, latitude, refraction ? std::optional<double>(elevation) : std::nullopt);
+  angles[0] = sun.azimuth;
+  angles[1] = sun.altitude;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkLight* vtkReliefScene::AddSunAt(const char* time, double longitude, double latitude,
+  double convergence, double elevation, bool refraction)
+{
+  if (!std::isfinite(convergence))
+  {
+    vtkErrorMacro("AddSunAt: the convergence " << convergence
+                                               << " was given, finite degrees are expected; no "
+                                                  "light is added.");
+    return nullptr;
+  }
+  double angles[2];
+  return this->FindSun(time, longitude, latitude, elevation, refraction, angles)
+    ? this->AddSun(angles[0] - convergence, angles[1])
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------

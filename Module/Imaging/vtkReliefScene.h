@@ -66,6 +66,29 @@ public:
    */
   vtkLight* AddSun(double azimuth, double altitude, double angularDiameter = 0.0);
 
+  /**
+   * Adds the sun of a time and a place, white, and returns it as AddSun does. The time is a date
+   * and time of ISO 8601 with its zone, "2026-06-21T06:30+02:00" or "2026-06-21T04:30Z", of the
+   * years 1600 to 2399; without a zone it is refused, since it means another moment everywhere.
+   * Degrees of longitude are to the east, in [-180, 360], of latitude to the north, in [-90, 90].
+   *
+   * Azimuths are told from true north, while +y is the map's. The convergence, degrees clockwise
+   * from true north to +y, is taken off; vtkReliefRasterReader::GetPlace has all three. Air bends
+   * sunlight by the standard atmosphere at an elevation, metres above sea level in [-1000, 11000];
+   * without refraction there is no air. At night the sun is below the horizon, and gives no light.
+   * What is not taken reports an error, and null is returned.
+   */
+  vtkLight* AddSunAt(const char* time, double longitude, double latitude, double convergence = 0.0,
+    double elevation = 0.0, bool refraction = true);
+
+  /**
+   * Where the sun of a time and a place stands: its azimuth from true north, in [0, 360), and its
+   * altitude, in degrees. Time, place and air as AddSunAt takes them. Within 0.01 degrees of
+   * NREL's solar position algorithm. Returns false after an error, which leaves the angles alone.
+   */
+  bool FindSun(const char* time, double longitude, double latitude, double elevation,
+    bool refraction, double angles[2]);
+
   ///@{
   /**
    * How large a sun looks: its light then comes from a disc, and shadows get penumbras as wide as

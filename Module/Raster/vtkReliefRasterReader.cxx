@@ -2,6 +2,7 @@
 #include "vtkReliefRasterReader.h"
 
 #include "HeightEncoding.h"
+#include "MapPlace.h"
 #include "OtherContent.h"
 #include "RasterFieldData.h"
 #include "RasterFile.h"
@@ -133,6 +134,7 @@ int FloatingType(int type)
 vtkReliefRasterReader::vtkReliefRasterReader()
   : NoDataValue(std::numeric_limits<double>::quiet_NaN())
   , FileNoDataValue(std::numeric_limits<double>::quiet_NaN())
+  , Place{}
   , MemoryLimit(relief::io::PhysicalMemory())
   , Header(std::make_unique<Internals>())
 {
@@ -180,6 +182,30 @@ static ReadOptions OptionsOf(vtkReliefRasterReader* reader)
     options.NoData = reader->GetNoDataValue();
   }
   return options;
+}
+
+//------------------------------------------------------------------------------
+double* vtkReliefRasterReader::GetPlace()
+{
+  std::fill_n(this->Place, 3, std::numeric_limits<double>::quiet_NaN());
+  this->UpdateInformation();
+  if (!this->Header->Readable)
+  {
+    return this->Place; // It has been reported
+  }
+  MapPlace place;
+  std::string reason;
+  const unsigned long code = Guard([&] { place = PlaceOfCenter(this->Header->Read); }, reason);
+  if (code != vtkErrorCode::NoError)
+  {
+    const std::string name = this->FileName ? this->FileName : "";
+    vtkErrorMacro("GetPlace of \"" << Shortened(name, LongestName) << "\": " << reason << ".");
+    return this->Place;
+  }
+  this->Place[0] = place.Longitude;
+  this->Place[1] = place.Latitude;
+  this->Place[2] = place.Convergence;
+  return this->Place;
 }
 
 //------------------------------------------------------------------------------

@@ -165,6 +165,14 @@ public:
    */
   vtkGetMacro(FileNoDataValue, double);
 
+  /**
+   * Where on the Earth the raster's centre lies, for vtkReliefScene::AddSunAt: its longitude to the
+   * east and latitude to the north, on WGS 84, and the map's convergence there, clockwise from true
+   * north to the map's, which is +y; all in degrees. The header is read if need be. Three NaN, with
+   * an error, where the file does not tell, and of maps that are not of the Earth.
+   */
+  double* GetPlace() VTK_SIZEHINT(3);
+
   ///@{
   /**
    * A raster that would need more memory than this, in kibibytes, is refused before any is
@@ -209,6 +217,7 @@ protected:
   bool NoDataFromFile = true;
   double NoDataValue;
   double FileNoDataValue;
+  double Place[3];
   vtkTypeInt64 MemoryLimit;
 
 private:

@@ -110,6 +110,45 @@ int TestReliefScene(int, char*[])
   CHECK(!changed());
   CHECK(disc->GetInformation()->Get(vtkReliefScene::ANGULAR_DIAMETER()) == 2.0);
 
+  // A sun of a time and a place stands where its angles say, the map's north taken off them.
+  double angles[2] = { -1.0, -1.0 };
+  const char* const morning = "2026-06-21T06:30+02:00";
+  CHECK(scene->FindSun(morning, 13.4, 52.52, 0.0, true, angles));
+  CHECK_NEAR(angles[0], 68.158, 0.01); // testing SolarPosition has the sources
+  CHECK_NEAR(angles[1], 12.961, 0.01);
+  double bare[2];
+  CHECK(scene->FindSun("2026-06-21T04:30Z", 13.4, 52.52, 0.0, false, bare));
+  CHECK(bare[0] == angles[0] && bare[1] < angles[1] - 0.05);
+  CHECK(scene->FindSun(morning, 13.4, 52.52, 3000.0, true, bare));
+  CHECK(bare[1] < angles[1] - 0.01);
+  const auto standsAt = [](vtkLight* sun, double azimuth, double altitude)
+  {
+    const double a = vtkMath::RadiansFromDegrees(azimuth);
+    const double h = vtkMath::RadiansFromDegrees(altitude);
+    const double* p = sun->GetPosition();
+    return !sun->GetPositional() && sun->GetIntensity() == 1.0 &&
+      std::abs(p[0] - std::sin(a) * std::cos(h)) < 1e-12 &&
+      std::abs(p[1] - std::cos(a) * std::cos(h)) < 1e-12 && std::abs(p[2] - std::sin(h)) < 1e-12;
+  };
+  CHECK(standsAt(scene->AddSunAt(morning, 13.4, 52.52), angles[0], angles[1]) && changed());
+  CHECK(standsAt(scene->AddSunAt(morning, 13.4, 52.52, 10.0), angles[0] - 10.0, angles[1]));
+  vtkLight* night = scene->AddSunAt("2026-06-21T23:00Z", 13.4, 52.52);
+  CHECK(night && night->GetPosition()[2] < 0.0);
+  {
+    MessageKeeper messages(scene);
+    const int lights = scene->GetLights()->GetNumberOfItems();
+    const double before[2] = { angles[0], angles[1] };
+    CHECK(!scene->AddSunAt("2026-06-21T06:30", 13.4, 52.52) && messages.OneError("zone"));
+    CHECK(!scene->AddSunAt(nullptr, 13.4, 52.52) && messages.OneError("no date"));
+    CHECK(!scene->AddSunAt(morning, 13.4, 90.1) && messages.OneError("latitude 90.1"));
+    CHECK(!scene->AddSunAt(morning, nan, 0.0) && messages.OneError("longitude nan"));
+    CHECK(!scene->AddSunAt(morning, 0.0, 0.0, nan) && messages.OneError("convergence nan"));
+    CHECK(!scene->AddSunAt(morning, 0.0, 0.0, 0.0, 2e4) && messages.OneError("sea level 20000"));
+    CHECK(!scene->FindSun("now", 0.0, 0.0, 0.0, true, angles) && messages.OneError("'now'"));
+    CHECK(angles[0] == before[0] && angles[1] == before[1]);
+    CHECK(scene->GetLights()->GetNumberOfItems() == lights);
+  }
+
   // Presets replace what was there.
   scene->SetLightsToMultidirectional();
   CHECK(changed() && scene->GetLights()->GetNumberOfItems() == 4 && !scene->GetEnvironment());

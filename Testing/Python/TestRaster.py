@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A raster is read, shaded and written back in its place, without a number typed."""
 
+import math
 import os
 import tempfile
 import unittest
 
 from reliefshading import vtkImageReliefShading, vtkReliefRasterReader, vtkReliefRasterWriter
 
+TERRAIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data",
+                       "jacksboro.tif")
 GRID = "ncols 6\nnrows 5\nxllcorner 4000\nyllcorner 7000\ncellsize 30\nnodata_value -9\n"
 
 
@@ -46,6 +49,25 @@ class TestRaster(unittest.TestCase):
         mask = heights.GetMaskOutput().GetPointData().GetScalars()
         self.assertIn(0, [mask.GetValue(k) for k in range(30)])
         self.assertIn(255, [mask.GetValue(k) for k in range(30)])
+
+    def test_sun(self):
+        """A sun of a time, at the place of the raster, on its map."""
+        terrain = vtkReliefRasterReader()
+        terrain.SetFileName(TERRAIN)
+        longitude, latitude, convergence = terrain.GetPlace()
+        self.assertAlmostEqual(longitude, -84.2458333, places=6)
+        self.assertAlmostEqual(latitude, 36.5895833, places=6)
+        self.assertEqual(convergence, 0.0)  # degrees
+        shading = vtkImageReliefShading()
+        scene = shading.GetScene()
+        angles = [0.0, 0.0]
+        self.assertTrue(scene.FindSun("2026-06-21T17:39Z", longitude, latitude, 0.0, True, angles))
+        self.assertAlmostEqual(angles[1], 90.0 - latitude + 23.43, delta=0.1)  # about noon
+        sun = scene.AddSunAt("2026-06-21T17:39Z", *terrain.GetPlace())
+        self.assertAlmostEqual(sun.GetPosition()[2], math.sin(math.radians(angles[1])), places=12)
+        shading.SetInputConnection(terrain.GetOutputPort())
+        shading.Update()
+        self.assertEqual(shading.GetStatistics().GetLightsTraced(), 1)
 
     def test_error(self):
         heights = vtkReliefRasterReader()

@@ -3,6 +3,7 @@
 #include "RasterReadingUtilities.h"
 
 #include "vtkImageReliefShading.h"
+#include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkReliefRasterWriter.h"
@@ -194,6 +195,119 @@ void TestTurned()
 }
 }
 
+namespace
+{
+bool Placed(Read& read, double longitude, double latitude, double convergence, double tolerance)
+{
+  const double* place = read.Reader->GetPlace();
+  return std::abs(std::remainder(place[0] - longitude, 360.0)) <= tolerance &&
+    std::abs(place[1] - latitude) <= tolerance &&
+    std::abs(std::remainder(place[2] - convergence, 360.0)) <= tolerance;
+}
+
+// A raster whose centre is that place on its map.
+TestRaster Around(int epsg, double x, double y, double step)
+{
+  TestRaster raster;
+  raster.Epsg = epsg;
+  raster.Transform = { x - 2.5 * step, step, 0.0, y + 2.0 * step, 0.0, -step };
+  return raster;
+}
+
+// Where the sun of a place stands on the map: longitude, latitude and the grid's convergence.
+void TestPlace()
+{
+  // Degrees are as they are, whatever the units, and turn nothing.
+  Read degrees(Around(4326, 171.25, -43.5, 0.01));
+  CHECK(Placed(degrees, 171.25, -43.5, 0.0, 1e-9));
+  Read beyond(Around(4326, 190.0, 65.0, 0.01));
+  CHECK(Placed(beyond, -170.0, 65.0, 0.0, 1e-9));
+  // Transverse Mercator: none on the middle meridian, to the east of it north is to the west.
+  Read middle(Around(32632, 500000.0, 5000000.0, 30.0));
+  CHECK(Placed(middle, 9.0, middle.Reader->GetPlace()[1], 0.0, 1e-7));
+  for (const int epsg : { 32632, 32732 })
+  {
+    for (const double x : { 250000.0, 780000.0 })
+    {
+      Read side(Around(epsg, x, 5900000.0, 30.0));
+      const double* place = side.Reader->GetPlace();
+      const double east = (place[0] - 9.0) * Pi / 180.0;
+      const double expected =
+        std::atan(std::tan(east) * std::sin(place[1] * Pi / 180.0)) * 180.0 / Pi;
+      CHECK((x > 500000.0) == (place[0] > 9.0) && (epsg == 32632) == (place[1] > 0.0));
+      CHECK(std::abs(expected) > 1.0 && std::abs(place[2] - expected) < 1e-4);
+    }
+  }
+  // Web Mercator has none anywhere, though its scale is not that of the ground.
+  Read web(Around(3857, 6378137.0 * Pi / 3.0, 6000000.0, 30.0));
+  CHECK(Placed(web, 60.0, web.Reader->GetPlace()[1], 0.0, 1e-7));
+  // About the poles north is inward and outward.
+  for (const double longitude : { -150.0, -35.0, 0.0, 90.0, 178.0 })
+  {
+    const double sine = std::sin(longitude * Pi / 180.0);
+    const double cosine = std::cos(longitude * Pi / 180.0);
+    Read arctic(Around(3995, 800000.0 * sine, -800000.0 * cosine, 100.0));
+    CHECK(Placed(arctic, longitude, arctic.Reader->GetPlace()[1], longitude, 1e-6));
+    Read antarctic(Around(3031, 800000.0 * sine, 800000.0 * cosine, 100.0));
+    CHECK(Placed(antarctic, longitude, antarctic.Reader->GetPlace()[1], -longitude, 1e-6));
+  }
+  // Five hundred metres from a pole it is the same.
+  Read pole(Around(3995, 300.0, 400.0, 1.0));
+  CHECK(Placed(pole, 143.1301, 90.0 - 500.0 * 180.0 / (Pi * 6.4e6), 143.1301, 1e-3));
+  // A raster that is turned on its map has that map's place.
+  TestRaster turned = Around(32632, 780000.0, 5900000.0, 30.0);
+  turned.Transform = { 780000.0, 20.0, 10.0, 5900000.0, 10.0, -20.0 };
+  Read aslant(turned);
+  CHECK(std::abs(aslant.Reader->GetPlace()[2] - 3.35) < 0.1);
+
+  // The sun at noon is in the true south: on this map 3.35 degrees beside it.
+  Read east(Around(32632, 780000.0, 5900000.0, 30.0));
+  vtkNew<vtkReliefScene> scene;
+  const double* there = east.Reader->GetPlace();
+  double angles[2];
+  CHECK(scene->FindSun("2026-06-21T11:08:30Z", there[0], there[1], 0.0, true, angles));
+  vtkLight* sun = scene->AddSunAt("2026-06-21T11:08:30Z", there[0], there[1], there[2]);
+  const double onMap =
+    std::atan2(sun->GetPosition()[0], sun->GetPosition()[1]) * 180.0 / Pi + 360.0;
+  CHECK(std::abs(angles[0] - 180.0) < 1.0);
+  CHECK(std::abs(std::remainder(onMap - (angles[0] - there[2]), 360.0)) < 1e-9);
+}
+
+// Without a place, and on another body.
+void TestNoPlace()
+{
+  const auto isRefused = [](const TestRaster& raster, const std::string& reason)
+  {
+    const std::string name = Directory + "placeless.tif";
+    WriteRaster(name, raster);
+    vtkNew<vtkReliefRasterReader> reader;
+    MessageKeeper messages(reader);
+    reader->SetFileName(name.c_str());
+    const double* place = reader->GetPlace();
+    return std::isnan(place[0]) && std::isnan(place[1]) && std::isnan(place[2]) &&
+      messages.OneError(reason);
+  };
+  TestRaster plain;
+  plain.Epsg = 0;
+  plain.Transform = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  CHECK(isRefused(plain, "no georeference"));
+  TestRaster unnamed;
+  unnamed.Epsg = 0;
+  CHECK(isRefused(unnamed, "no coordinate reference system"));
+  TestRaster moon;
+  moon.Epsg = 0;
+  moon.Transform = { 10.0, 0.01, 0.0, 20.0, 0.0, -0.01 };
+  moon.More = [](GDALDataset* file)
+  {
+    OGRSpatialReference crs;
+    crs.importFromWkt("GEOGCS[\"Moon\",DATUM[\"D_Moon\",SPHEROID[\"Moon\",1737400,0]],"
+                      "PRIMEM[\"Reference\",0],UNIT[\"degree\",0.0174532925199433]]");
+    file->SetSpatialRef(&crs);
+  };
+  CHECK(isRefused(moon, "not of the Earth"));
+}
+}
+
 int TestReliefRasterPlace(int argc, char* argv[])
 {
   Directory = EmptyDirectory(argc, argv, "TestReliefRasterPlace");
@@ -203,5 +317,7 @@ int TestReliefRasterPlace(int argc, char* argv[])
   TestLargeMaps();
   TestPoints();
   TestTurned();
+  TestPlace();
+  TestNoPlace();
   return Failures;
 }

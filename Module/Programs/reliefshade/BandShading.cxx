@@ -175,7 +175,7 @@ int rowsOfBand(int columns, double bytesPerSample)
 
 //------------------------------------------------------------------------------
 ShadingReport shadeBands(vtkImageReliefShading* shading, const std::string& file, int rows,
-  bool upward, const std::function<void(vtkImageData*)>& take)
+  bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take)
 {
   ShadingReport report;
   int extent[6];
@@ -186,6 +186,7 @@ ShadingReport shadeBands(vtkImageReliefShading* shading, const std::string& file
   const int bands = (count + rows - 1) / rows;
   if (bands == 1)
   {
+    shading->SetProgressShiftScale(part.Begin, part.Length);
     take(shadeBand(shading, file, extent, report));
     return report;
   }
@@ -196,7 +197,7 @@ ShadingReport shadeBands(vtkImageReliefShading* shading, const std::string& file
     const int band = upward ? k : bands - 1 - k;
     extent[2] = first + band * rows;
     extent[3] = std::min(extent[2] + rows, first + count) - 1;
-    shading->SetProgressShiftScale(static_cast<double>(k) / bands, 1.0 / bands);
+    shading->SetProgressShiftScale(part.Begin + part.Length * k / bands, part.Length / bands);
     taker.Give(shadeBand(shading, file, extent, report));
   }
   taker.Finish();

@@ -29,12 +29,19 @@ struct ShadingReport
 /// a TIFF's strips.
 int rowsOfBand(int columns, double bytesPerSample);
 
+/// A part of a run: where it begins and how long it is, both as shares of all.
+struct RunPart
+{
+  double Begin = 0.0;
+  double Length = 1.0;
+};
+
 /// Shades all of the filter's input, some rows at a time from the upper ones on or, `upward`, from
-/// the lower ones; 0 rows for all at once. Each band is handed to `take`, one after another, while
-/// the next is shaded; what that throws comes out. Throws a Failure that names the file for what
-/// the filter reports.
+/// the lower ones; 0 rows for all at once. Its progress is that of a part of the run. Each band is
+/// handed to `take`, one after another, while the next is shaded; what that throws comes out.
+/// Throws a Failure that names the file for what the filter reports.
 ShadingReport shadeBands(vtkImageReliefShading* shading, const std::string& file, int rows,
-  bool upward, const std::function<void(vtkImageData*)>& take);
+  bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take);
 
 }
 

@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "OptionParser.h"
 #include "Options.h"
+#include "SunTimes.h"
 
 #include "vtkCollectionRange.h"
 #include "vtkLight.h"
@@ -217,9 +218,10 @@ namespace reliefshade
 void addLightOptions(OptionParser& parser, Options& options)
 {
   vtkReliefScene* scene = options.Scene;
-  const char* const lights = "Lights (--sun and --point may be repeated; all add up)";
+  const char* const lights = "Lights (--sun, --sun-at and --point may be repeated; all add up)";
   parser.SetGroup(lights);
   addSuns(parser, options);
+  addSunTimes(parser, options, dropLightsOfFile);
   // What follows is run in this order, when the suns are there.
   parser.Word("--preset", "multidirectional|sky-dome|sun-and-sky[,AZ,ALT]",
     "Light as cartographers know it: four suns from south-west to north; a uniform white sky; or "

@@ -108,7 +108,8 @@ void addSceneOptions(OptionParser& parser, Options& options)
   parser.SetGroup("Scene");
   parser.Word("--scene", "FILE",
     "Material, lights and accuracy from a file. Options change it: "
-    "--sun, --point and --preset take the place of its lights, --env and a --preset that of its "
+    "--sun, --sun-at, --frames, --point and --preset take the place of its lights, --env and a "
+    "--preset that of its "
     "environment. Positions of its lights are those of --point",
     [&options](const std::string& word) { options.SceneFile = word; });
   parser.Word("--save-scene", "FILE", "Keeps what was used, for --scene",
@@ -550,6 +551,16 @@ bool parseOptions(int argc, char* argv[], Options& options)
   if (options.VerifiedSamples > 0 && options.Scene->GetIntegrator() != vtkReliefScene::Exact)
   {
     throw Failure("--verify", "fixed steps promise nothing; --integrator exact does", UsageFailure);
+  }
+  if (options.Times.Frames && !options.SavedScene.empty())
+  {
+    throw Failure("--save-scene", "a scene has one sun; --sun-at instead of --frames is expected",
+      UsageFailure);
+  }
+  if (options.Times.Frames && !options.AccuracyReport.empty())
+  {
+    throw Failure("--accuracy-report",
+      "it is of one scene; --sun-at instead of --frames is expected", UsageFailure);
   }
   checkNames(options);
   checkOutputOptions(options);

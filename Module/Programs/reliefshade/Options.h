@@ -6,6 +6,7 @@
 #include "HeightScaling.h"
 #include "LayersWriter.h"
 #include "RasterFiles.h"
+#include "SunTimes.h"
 
 #include "vtkNew.h"
 #include "vtkReliefScene.h"
@@ -38,6 +39,8 @@ struct Options
   std::string SavedScene;
   /// The picture that the scene's file names; empty for none.
   std::string SceneEnvironment;
+  /// Suns that are placed when the heights are read, and times of several pictures.
+  SunTimes Times;
   /// What of the scene is still the file's, to give way to options.
   bool LightsOfFile = false;
   bool EnvironmentOfFile = false;

@@ -11,10 +11,10 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-std::string layerFile(const Options& options, const std::string& layer)
+std::string layerFile(const std::string& picture, const std::string& layer)
 {
-  const std::filesystem::path output(options.Output);
-  const std::string extension = lowerExtension(options.Output) == ".exr" ? ".exr" : ".tif";
+  const std::filesystem::path output(picture);
+  const std::string extension = lowerExtension(picture) == ".exr" ? ".exr" : ".tif";
   return (output.parent_path() / (output.stem().string() + "-" + layer + extension)).string();
 }
 
@@ -39,11 +39,14 @@ void checkNames(const Options& options)
   add(inputs, options.BaseTexture, "--base-texture");
   add(inputs, options.SpecularTexture, "--specular-texture");
   add(inputs, options.Tint, "--tint");
-  add(outputs, options.Output, "OUTPUT");
-  add(outputs, options.LayersFile, "--layers");
-  for (const std::string& layer : options.LayersFile.empty() ? options.Layers : LayerNames())
+  for (int frame = 0; frame < frameCount(options); ++frame)
   {
-    add(outputs, layerFile(options, layer), "--layers");
+    add(outputs, frameFile(options, options.Output, frame), "OUTPUT");
+    add(outputs, frameFile(options, options.LayersFile, frame), "--layers");
+    for (const std::string& layer : options.LayersFile.empty() ? options.Layers : LayerNames())
+    {
+      add(outputs, layerFile(frameFile(options, options.Output, frame), layer), "--layers");
+    }
   }
   add(outputs, options.ShadowMask, "--shadow-mask");
   add(outputs, options.SavedScene, "--save-scene");

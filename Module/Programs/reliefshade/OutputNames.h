@@ -9,8 +9,8 @@ namespace reliefshade
 
 struct Options;
 
-/// The file of a layer that has one of its own, beside OUTPUT.
-std::string layerFile(const Options& options, const std::string& layer);
+/// The file of a layer that has one of its own, beside the picture's.
+std::string layerFile(const std::string& picture, const std::string& layer);
 
 /// Throws a Failure if a run would write over what it reads, or write two outputs to one file. It
 /// is asked before anything but the scene is read.

@@ -37,7 +37,8 @@ bool writesTiff(const Options& options)
   return isGeoTiff(options.Output) || isGeoTiff(options.ShadowMask) ||
     (options.LayersFile.empty() &&
       std::any_of(options.Layers.begin(), options.Layers.end(),
-        [&options](const std::string& layer) { return isGeoTiff(layerFile(options, layer)); }));
+        [&options](const std::string& layer)
+        { return isGeoTiff(layerFile(options.Output, layer)); }));
 }
 
 //------------------------------------------------------------------------------

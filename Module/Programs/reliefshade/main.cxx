@@ -22,6 +22,7 @@
 #include "Provenance.h"
 #include "RasterFiles.h"
 #include "ReferencedPicture.h"
+#include "SunTimes.h"
 #include "Threads.h"
 #include "Verify.h"
 #include "Watch.h"
@@ -40,6 +41,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -153,8 +155,8 @@ public:
   /// The file of the colour and the layers, if there is one.
   const LayersWriter* GetLayersWriter() const { return this->Layers ? &*this->Layers : nullptr; }
 
-  /// Shades and writes. The scene is the one to be kept.
-  ShadingReport Write(vtkImageReliefShading* shading, vtkReliefScene* scene);
+  /// Shades and writes, which is a part of the run. The scene is the one to be kept.
+  ShadingReport Write(vtkImageReliefShading* shading, vtkReliefScene* scene, const RunPart& part);
 
 private:
   void Begin(vtkImageReliefShading* shading);
@@ -193,7 +195,7 @@ Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
     {
       const PictureForm form = formOfLayer(options, layerComponents(layer));
       this->LayerPictures.push_back(
-        std::make_unique<PictureOutput>(layerFile(options, layer), form, this->Reference));
+        std::make_unique<PictureOutput>(layerFile(options.Output, layer), form, this->Reference));
       bytes += this->LayerPictures.back()->GetBytesPerSample();
     }
   }
@@ -296,7 +298,8 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
 }
 
 //------------------------------------------------------------------------------
-ShadingReport Outputs::Write(vtkImageReliefShading* shading, vtkReliefScene* scene)
+ShadingReport Outputs::Write(
+  vtkImageReliefShading* shading, vtkReliefScene* scene, const RunPart& part)
 {
   // First, since what cannot be measured shall cost no shading.
   if (this->Report)
@@ -318,14 +321,14 @@ ShadingReport Outputs::Write(vtkImageReliefShading* shading, vtkReliefScene* sce
     {
       this->Begin(shading);
     }
-    report = shadeBands(shading, this->Given.Input, rows, upward,
-      [&](vtkImageData* part)
+    report = shadeBands(shading, this->Given.Input, rows, upward, part,
+      [&](vtkImageData* band)
       {
         if (atOnce)
         {
           this->Begin(shading);
         }
-        this->WriteRows(part);
+        this->WriteRows(band);
       });
   }
   printWarnings(this->Given);
@@ -486,7 +489,37 @@ void smoothHeights(const Options& options, MemoryBudget& budget, Raster& raster)
 }
 
 //------------------------------------------------------------------------------
-void run(const Options& options)
+/// One picture after another, if there are several; the heights stay prepared between them.
+ShadingReport shadeFrames(Options& options, const FrameFiles& files, const SunClock& clock,
+  Raster& raster, std::unique_ptr<Outputs> outputs, vtkReliefScene* mapScene,
+  vtkImageReliefShading* shading)
+{
+  const int frames = frameCount(options);
+  ShadingReport sum;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    if (frame > 0)
+    {
+      outputs.reset();
+      clock.Place(frame);
+      files.Name(options, frame);
+      MemoryBudget claimed; // by the first frame, whose files took as much
+      outputs = std::make_unique<Outputs>(options, raster, claimed);
+    }
+    const ShadingReport report =
+      outputs->Write(shading, mapScene, { static_cast<double>(frame) / frames, 1.0 / frames });
+    sum.Effects = report.Effects;
+    sum.Exposure = report.Exposure;
+    sum.LightsTraced = std::max(sum.LightsTraced, report.LightsTraced);
+    sum.RaysTraced += report.RaysTraced;
+    sum.CellsVisited += report.CellsVisited;
+    sum.Seconds += report.Seconds;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+void run(Options& options)
 {
   MemoryBudget budget(options.MemoryLimit, "--memory-limit");
   ReadOptions reading = options.Reading;
@@ -515,29 +548,39 @@ void run(const Options& options)
       say(options.Input + ": " + scaled);
     }
   }
+  const SunClock clock(options, raster);
+  clock.Place(0);
+  const std::string night = clock.TellNight();
+  if (!night.empty() && !options.Quiet)
+  {
+    say(options.Input + ": warning: " + night);
+  }
   // As the command line means it, while the lights and heights of the other go to another frame.
   vtkNew<vtkReliefScene> mapScene;
   mapScene->CopySharingImage(options.Scene);
   MapFrame(raster).ToHeights(options.Scene);
 
-  Outputs outputs(options, raster, budget);
+  const FrameFiles files(options);
+  files.Name(options, 0);
+  auto outputs = std::make_unique<Outputs>(options, raster, budget);
 
   vtkNew<vtkImageReliefShading> shading;
   relief::raster::SetHeights(raster, shading);
   shading->SetScene(options.Scene);
-  shading->SetCacheMemoryLimit(0); // there is one update only
+  shading->SetCacheMemoryLimit(0); // of all bands none is shaded twice
   shading->SetOutputScalarType(outputType(options));
   readPictures(options, raster, budget, shading);
   generateLayers(options.Layers, shading);
   shading->SetGenerateShadow(shading->GetGenerateShadow() || !options.ShadowMask.empty());
-  if (outputs.GetLayersWriter())
+  if (outputs->GetLayersWriter())
   {
-    outputs.GetLayersWriter()->Prepare(shading);
+    outputs->GetLayersWriter()->Prepare(shading);
   }
   shading->SetGenerateIllumination(
     shading->GetGenerateIllumination() || options.VerifiedSamples > 0);
   watch(shading, showsBar(options));
-  const ShadingReport report = outputs.Write(shading, mapScene);
+  const ShadingReport report =
+    shadeFrames(options, files, clock, raster, std::move(outputs), mapScene, shading);
   printWarnings(options);
   if (options.Statistics)
   {
