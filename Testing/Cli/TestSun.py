@@ -123,12 +123,14 @@ class Sun(Case):
     def test_frames_of_layers(self):
         source = self.hills()
         frames = f"2026-06-21T06:30:30Z,2026-06-21T06:31:00Z,30s{BERLIN}"
-        self.good(source, "day.tif", "--quiet", "--frames", frames, "--layers", "illumination")
+        self.good(source, "day.tif", "--quiet", "--frames", frames, "--layers", "illumination",
+                  "--shadow-mask", "shadow.tif")
         self.good(source, "--quiet", "--frames", frames, "--layers", "normals,layers.exr")
         for time in ("20260621T063030Z", "20260621T063100Z"):
-            for name in (f"day_{time}.tif", f"day_{time}-illumination.tif", f"layers_{time}.exr"):
+            for name in (f"day_{time}.tif", f"day_{time}-illumination.tif", f"layers_{time}.exr",
+                         f"shadow_{time}.tif"):
                 self.assertTrue(os.path.exists(self.path(name)), name)
-        self.assertEqual(len([name for name in self.files() if "T063" in name]), 6)
+        self.assertEqual(len([name for name in self.files() if "T063" in name]), 8)
 
     @needsGdal
     def test_frames_in_bands_and_threads(self):

@@ -43,12 +43,12 @@ void checkNames(const Options& options)
   {
     add(outputs, frameFile(options, options.Output, frame), "OUTPUT");
     add(outputs, frameFile(options, options.LayersFile, frame), "--layers");
+    add(outputs, frameFile(options, options.ShadowMask, frame), "--shadow-mask");
     for (const std::string& layer : options.LayersFile.empty() ? options.Layers : LayerNames())
     {
       add(outputs, layerFile(frameFile(options, options.Output, frame), layer), "--layers");
     }
   }
-  add(outputs, options.ShadowMask, "--shadow-mask");
   add(outputs, options.SavedScene, "--save-scene");
   add(outputs, options.AccuracyReport, "--accuracy-report");
   keepApart(inputs, outputs);

@@ -281,6 +281,7 @@ std::string frameFile(const Options& options, const std::string& file, int frame
 FrameFiles::FrameFiles(const Options& options)
   : Output(options.Output)
   , LayersFile(options.LayersFile)
+  , ShadowMask(options.ShadowMask)
 {
 }
 
@@ -289,6 +290,7 @@ void FrameFiles::Name(Options& options, int frame) const
 {
   options.Output = frameFile(options, this->Output, frame);
   options.LayersFile = frameFile(options, this->LayersFile, frame);
+  options.ShadowMask = frameFile(options, this->ShadowMask, frame);
 }
 
 }

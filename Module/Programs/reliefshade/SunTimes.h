@@ -100,6 +100,7 @@ struct FrameFiles
 private:
   std::string Output;
   std::string LayersFile;
+  std::string ShadowMask;
 };
 
 }
