@@ -77,20 +77,6 @@ std::string briefly(const std::string& help)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> wordsOf(const parameters::Parameter& parameter)
-{
-  if (parameter.Is == parameters::Kind::Flag)
-  {
-    return { "off", "on" };
-  }
-  std::vector<std::string> words;
-  for (const parameters::Choice& choice : parameter.Choices)
-  {
-    words.push_back(choice.Word);
-  }
-  return words;
-}
-
 /// How many letters must be put in, left out, replaced or exchanged with the next to make one word
 /// of another, whatever their case.
 std::size_t slipsBetween(const std::string& one, const std::string& other)
@@ -430,14 +416,34 @@ CLI::Option* OptionParser::Choice(
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> wordsOf(const parameters::Parameter& parameter)
+{
+  if (parameter.Is == parameters::Kind::Flag)
+  {
+    return { "off", "on" };
+  }
+  std::vector<std::string> words;
+  for (const parameters::Choice& choice : parameter.Choices)
+  {
+    words.push_back(choice.Word);
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+const parameters::Parameter* automaticOf(const parameters::Parameter& parameter)
+{
+  return std::string(parameter.OptionValue).find("|auto") != std::string::npos
+    ? &parameters::Find(parameter.Of, std::string("Automatic") + parameter.Name)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void OptionParser::Parameter(
   const parameters::Parameter& parameter, const std::string& help, const Owner& owner)
 {
   const std::string value = valueName(parameter);
-  // Whoever takes "auto" has a switch for it.
-  const parameters::Parameter* automatic = value.find("|auto") != std::string::npos
-    ? &parameters::Find(parameter.Of, std::string("Automatic") + parameter.Name)
-    : nullptr;
+  const parameters::Parameter* automatic = automaticOf(parameter);
   this->Word(parameter.Option, value, help,
     [&parameter, automatic, owner](const std::string& word)
     {

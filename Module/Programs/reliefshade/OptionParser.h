@@ -56,6 +56,12 @@ void refuse(const std::string& option, const std::optional<relief::parameters::R
 std::string helpOf(const relief::parameters::Parameter& parameter, vtkObject* owner,
   const std::string& more = std::string(), const std::string& usual = std::string());
 
+/// The words that a choice takes on the command line; none for another kind.
+std::vector<std::string> wordsOf(const relief::parameters::Parameter& parameter);
+
+/// The switch of a parameter that takes "auto" on the command line; null for another one.
+const relief::parameters::Parameter* automaticOf(const relief::parameters::Parameter& parameter);
+
 /// Adds the kinds of option that this program has to CLI11's parser.
 class OptionParser
 {

@@ -9,6 +9,7 @@
 #include "OptionParser.h"
 #include "OutputNames.h"
 #include "OutputOptions.h"
+#include "ParameterList.h"
 #include "PictureOutput.h"
 
 #include "vtkLightCollection.h"
@@ -483,6 +484,11 @@ bool parseOptions(int argc, char* argv[], Options& options)
   addMaterialOptions(parser, options);
   addPictureOptions(parser, options);
   addRunOptions(parser, options);
+  bool lists = false;
+  parser.Flag("--parameters",
+    "Prints the parameters of the scene that are options as JSON and ends. For programs that offer "
+    "them: names, kinds, ranges, defaults, help",
+    lists);
   parser.Explain(app.set_help_flag("-h,--help"), "Prints the options in short and ends");
   parser.Explain(app.set_help_all_flag("--help-all"),
     "Prints all about them and ends, as 'man reliefshade' does");
@@ -531,6 +537,11 @@ bool parseOptions(int argc, char* argv[], Options& options)
       }
     }
     throw Failure("", oneLine(error.what()), UsageFailure);
+  }
+  if (lists)
+  {
+    std::cout << parameterList();
+    return false;
   }
   const bool pictureless = !options.LayersFile.empty() ||
     (options.Layers.empty() && !options.ShadowMask.empty()) ||
