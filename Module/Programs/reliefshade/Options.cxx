@@ -432,7 +432,9 @@ const char* const Usage =
 #ifdef RELIEFRASTER_USE_GDAL
   " TIFF keeps the georeference of INPUT."
 #endif
-  "\n";
+  "\n"
+  "        /vsistdin/ and /vsistdout/, or - for either, are the standard streams, with which\n"
+  "        --format tells what is written.\n";
 
 const char* const Footer =
   "Coordinates\n"
@@ -573,6 +575,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
     throw Failure("--accuracy-report",
       "it is of one scene; --sun-at instead of --frames is expected", UsageFailure);
   }
+  nameStreams(options);
   checkNames(options);
   checkOutputOptions(options);
   return true;

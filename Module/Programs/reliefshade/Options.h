@@ -6,12 +6,14 @@
 #include "HeightScaling.h"
 #include "LayersWriter.h"
 #include "RasterFiles.h"
+#include "StandardStreams.h"
 #include "SunTimes.h"
 
 #include "vtkNew.h"
 #include "vtkReliefScene.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,6 +26,12 @@ struct Options
   std::string Input;
   /// Empty if no picture is wanted.
   std::string Output;
+  /// Where INPUT or OUTPUT is a standard stream; null elsewhere. The latter's Output is the file
+  /// that is to go there.
+  std::unique_ptr<StandardStreams> Streams;
+  bool StreamsOutput = false;
+  /// The --format, empty for what the extension tells.
+  std::string Format;
   std::string Mask;
   ReadOptions Reading;
   /// From one sample to the next along x and y, in place of the file's.

@@ -1,14 +1,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputNames.h"
 
+#include "Failure.h"
 #include "Options.h"
 #include "OutputFile.h"
 #include "PictureOutput.h"
 
 #include <filesystem>
 
+namespace
+{
+
+using namespace reliefshade;
+
+//------------------------------------------------------------------------------
+bool writesTiff(const std::string& format)
+{
+  return format.empty() || format == "gtiff" || format == "cog";
+}
+
+//------------------------------------------------------------------------------
+void refuseStreams(const std::vector<NamedFile>& files, bool (*isStream)(const std::string&),
+  const char* place, const char* stream)
+{
+  for (const NamedFile& file : files)
+  {
+    // "-" is a file's name there.
+    if (file.Role != place && file.Name != "-" && isStream(file.Name))
+    {
+      throw Failure(file.Role,
+        "only " + std::string(place) + " is the standard " + stream + "; expected a file",
+        UsageFailure);
+    }
+  }
+}
+
+}
+
 namespace reliefshade
 {
+
+//------------------------------------------------------------------------------
+void nameStreams(Options& options)
+{
+  options.StreamsOutput = isStandardOutput(options.Output);
+  if (!options.StreamsOutput && !writesTiff(options.Format))
+  {
+    throw Failure("--format",
+      options.Format + " is for the standard output, /vsistdout/; of a file the extension tells",
+      UsageFailure);
+  }
+  if (options.StreamsOutput && options.Times.Frames)
+  {
+    throw Failure(
+      "--frames", "the standard output takes one picture; expected a file", UsageFailure);
+  }
+  if (options.StreamsOutput && !options.Layers.empty() && options.LayersFile.empty())
+  {
+    throw Failure("--layers",
+      "the standard output has no files beside it; expected an OpenEXR file (.exr)", UsageFailure);
+  }
+  if (isStandardInput(options.Input) || options.StreamsOutput)
+  {
+    options.Streams = std::make_unique<StandardStreams>();
+  }
+  if (options.StreamsOutput)
+  {
+    options.Output =
+      options.Streams->Reserve(writesTiff(options.Format) ? ".tif" : "." + options.Format);
+  }
+}
 
 //------------------------------------------------------------------------------
 std::string layerFile(const std::string& picture, const std::string& layer)
@@ -30,7 +91,7 @@ void checkNames(const Options& options)
       files.push_back({ name, role });
     }
   };
-  add(inputs, options.Input, "INPUT");
+  add(inputs, isStandardInput(options.Input) ? fileOfStream(0) : options.Input, "INPUT");
   add(inputs, options.Mask, "--mask");
   add(inputs, options.SceneFile, "--scene");
   add(inputs, options.SceneEnvironment, "the environment of --scene");
@@ -51,6 +112,9 @@ void checkNames(const Options& options)
   }
   add(outputs, options.SavedScene, "--save-scene");
   add(outputs, options.AccuracyReport, "--accuracy-report");
+  refuseStreams(inputs, isStandardInput, "INPUT", "input");
+  refuseStreams(outputs, isStandardOutput, "OUTPUT", "output");
+  add(outputs, options.StreamsOutput ? options.Streams->GetFile() : std::string(), "OUTPUT");
   keepApart(inputs, outputs);
 }
 

@@ -68,11 +68,17 @@ void addOutputOptions(OptionParser& parser, Options& options)
       { "deflate", set(options.Tiff.Compression, GeoTiffForm::Deflate) },
       { "zstd", set(options.Tiff.Compression, GeoTiffForm::ZStd) },
       { "lzw", set(options.Tiff.Compression, GeoTiffForm::LZW) } });
-  parser.Choice("--format",
-    "What kind of TIFF is written. gtiff: GeoTIFF, BigTIFF where 4 GB may not do; cog: "
-    "cloud-optimized, with tiles and overviews. Default: gtiff",
-    { { "gtiff", set(options.Tiff.CloudOptimized, false) },
-      { "cog", set(options.Tiff.CloudOptimized, true) } });
+  const std::vector<std::string> formats = { "gtiff", "cog", "png", "jpg", "exr", "hdr", "bmp",
+    "ppm" };
+  parser.Word("--format", "gtiff|cog|png|jpg|exr|hdr|bmp|ppm",
+    "What kind of TIFF is written, or what goes to the standard output. gtiff: GeoTIFF, BigTIFF "
+    "where 4 GB may not do; cog: cloud-optimized, with tiles and overviews; the others are for the "
+    "standard output: of files the extension tells. Default: gtiff",
+    [&options, formats](const std::string& word)
+    {
+      options.Format = formats[static_cast<std::size_t>(toChoice("--format", word, formats))];
+      options.Tiff.CloudOptimized = options.Format == "cog";
+    });
   parser
     .Word("--co", "NAME=VALUE",
       "One of GDAL's creation options for TIFF. As TILED=YES. May be repeated; it goes before what "

@@ -22,6 +22,7 @@
 #include "Provenance.h"
 #include "RasterFiles.h"
 #include "ReferencedPicture.h"
+#include "StandardStreams.h"
 #include "SunTimes.h"
 #include "Threads.h"
 #include "Verify.h"
@@ -53,7 +54,7 @@ using namespace reliefshade;
 /// One line on the standard error stream.
 void say(const std::string& text)
 {
-  std::cerr << "reliefshade: " << relief::io::Brief(oneLine(text)) << std::endl;
+  std::cerr << "reliefshade: " << relief::io::Brief(withStreamNames(oneLine(text))) << std::endl;
 }
 
 //------------------------------------------------------------------------------
@@ -521,6 +522,11 @@ ShadingReport shadeFrames(Options& options, const FrameFiles& files, const SunCl
 //------------------------------------------------------------------------------
 void run(Options& options)
 {
+  if (isStandardInput(options.Input))
+  {
+    options.Input = options.Streams->Receive(options.Input);
+    checkNames(options); // what came may name other files, as virtual rasters do
+  }
   MemoryBudget budget(options.MemoryLimit, "--memory-limit");
   ReadOptions reading = options.Reading;
   reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
@@ -581,6 +587,10 @@ void run(Options& options)
   watch(shading, showsBar(options));
   const ShadingReport report =
     shadeFrames(options, files, clock, raster, std::move(outputs), mapScene, shading);
+  if (options.StreamsOutput)
+  {
+    options.Streams->Send();
+  }
   printWarnings(options);
   if (options.Statistics)
   {
