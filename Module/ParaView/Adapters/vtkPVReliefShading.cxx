@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVReliefShading.h"
 
+#include "vtkAlgorithmOutput.h"
+#include "vtkCommunicator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -26,8 +28,7 @@ using relief::hosts::HostInputs;
 class vtkPVReliefShading::Internals
 {
 public:
-  // Of the heights, as far as it is known: all, or only a name, before the input has been made.
-  bool HeightsAreOfCells(vtkInformation* input) const;
+  bool HeightsAreOfCells(vtkAlgorithmOutput* connection) const;
   std::string Gather(vtkInformationVector** inputs);
 
   std::array<relief::paraview::ArrayChoice, HostInputs::NumberOfPorts> Choices;
@@ -86,16 +87,55 @@ void vtkPVReliefShading::SetLampPosition(double x, double y, double z)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPVReliefShading::Internals::HeightsAreOfCells(vtkInformation* input) const
+// Whether the heights belong to the cells. A name comes with what it belongs to; without one, only
+// the data tell: those of any process, which are brought up to date for that. All processes must
+// ask.
+bool vtkPVReliefShading::Internals::HeightsAreOfCells(vtkAlgorithmOutput* connection) const
 {
   const relief::paraview::ArrayChoice& choice = this->Choices[HostInputs::HeightsPort];
-  vtkImageData* image = vtkImageData::GetData(input);
-  bool ofCells = choice.ofCells;
-  if (choice.name.empty() && image)
+  if (!choice.name.empty())
   {
-    relief::paraview::FindArray(image, choice, ofCells);
+    return choice.ofCells;
   }
-  return ofCells;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int processes = controller ? controller->GetNumberOfProcesses() : 1;
+  vtkAlgorithm* producer = connection->GetProducer();
+  const int port = connection->GetIndex();
+  enum
+  {
+    Unknown,
+    OfPoints,
+    OfCells
+  };
+  int own = Unknown;
+  int known = Unknown;
+  for (int attempt = 0; known == Unknown && attempt < 2; ++attempt)
+  {
+    if (attempt > 0)
+    {
+      vtkNew<vtkInformationVector> requests;
+      requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
+      vtkInformation* request = requests->GetInformationObject(port);
+      request->Set(
+        Pipeline::UPDATE_PIECE_NUMBER(), processes > 1 ? controller->GetLocalProcessId() : 0);
+      request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), processes);
+      request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      producer->Update(port, requests);
+    }
+    auto* image = vtkImageData::SafeDownCast(producer->GetOutputDataObject(port));
+    bool ofCells = false;
+    if (image && image->GetNumberOfPoints() > 0 &&
+      relief::paraview::FindArray(image, choice, ofCells))
+    {
+      own = ofCells ? OfCells : OfPoints;
+    }
+    known = own;
+    if (processes > 1)
+    {
+      controller->AllReduce(&own, &known, 1, vtkCommunicator::MAX_OP);
+    }
+  }
+  return known == OfCells;
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +148,8 @@ int vtkPVReliefShading::RequestInformation(
   }
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
-  this->Internal->PlacedAsCells = this->Internal->HeightsAreOfCells(in);
+  this->Internal->PlacedAsCells =
+    this->Internal->HeightsAreOfCells(this->GetInputConnection(HostInputs::HeightsPort, 0));
   if (this->Internal->PlacedAsCells && in->Has(Pipeline::WHOLE_EXTENT()))
   {
     const int* whole = in->Get(Pipeline::WHOLE_EXTENT());
@@ -183,16 +224,11 @@ int vtkPVReliefShading::RequestData(
   {
     return fail(wrong);
   }
-  const bool ofCells = this->Internal->HeightsAreOfCells(in);
   vtkImageData* piece = vtkImageData::GetData(in);
   if (piece->GetNumberOfPoints() == 0)
   {
     output->Initialize();
     return 1;
-  }
-  if (ofCells != this->Internal->PlacedAsCells)
-  {
-    return fail("the heights belong to the cells: choose the array by its name");
   }
 
   std::array<vtkInformationVector*, HostInputs::NumberOfPorts> whole;
