@@ -40,7 +40,7 @@ namespace
 using namespace relief::parameters;
 
 constexpr int Columns = 47;
-constexpr int Rows = 38;
+constexpr int Rows = 39;
 
 // Hills with a step and a hole: rough enough for every process's piece to be in another's shadow.
 vtkSmartPointer<vtkStructuredPoints> MakeHeights()
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkStructuredPoints> MakeHeights()
   auto image = vtkSmartPointer<vtkStructuredPoints>::New();
   image->SetDimensions(Columns, Rows, 1);
   // As many digits as the file keeps.
-  image->SetOrigin(4567.25, -1234.0, 0.0);
-  image->SetSpacing(2.5, 2.0, 1.0);
+  image->SetOrigin(4567.25, -123.5, 0.0);
+  image->SetSpacing(2.5, 1.25, 1.0);
   vtkNew<vtkFloatArray> heights;
   heights->SetName("Elevation");
   for (int j = 0; j < Rows; ++j)
@@ -82,7 +82,7 @@ struct World
     this->Sun = this->Scene->AddSun(230.0, 35.0);
     this->Lamp->SetLightTypeToSceneLight();
     this->Lamp->PositionalOn();
-    this->Lamp->SetPosition(4600.0, -1200.0, 25.0);
+    this->Lamp->SetPosition(4600.0, -104.0, 25.0);
     this->Scene->AddLight(this->Lamp);
     this->Set("Environment", "NumberOfSamples", { 16, 0, 0 });
     this->Set("Environment", "Intensity", { 0.25, 0, 0 });

@@ -9,12 +9,13 @@ import numpy as np
 import paraview.simple as pv
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 
+pv._DisableFirstRenderCameraReset()
 PLUGIN, FOLDER = sys.argv[1:3]
-SHAPE = (38, 47)
+SHAPE = (39, 47)
 # Where a light stands in the reference's scenes.
 LIGHTS = {"Lighting": "Sun and environment", "SunAzimuth": 230.0, "SunAltitude": 35.0,
           "EnvironmentSource": "Clear sky", "Turbidity": 4.0, "UseLamp": 1,
-          "LampPosition": [4600.0, -1200.0, 25.0]}
+          "LampPosition": [4600.0, -104.0, 25.0]}
 
 
 def load(remote=False):
@@ -65,31 +66,26 @@ def assign(proxy, settings, prefix=""):
         prop = proxy.GetProperty(prefix + name)
         if prop is None:
             raise AssertionError(f"there is no property {prefix + name}")
-        # Choices by their number.
-        if isinstance(value, float) and prop.SMProperty.IsA("vtkSMIntVectorProperty"):
-            prop.SMProperty.SetElement(0, int(value))
-            proxy.SMProxy.UpdateVTKObjects()
-        else:
-            setattr(proxy, prefix + name, value)
+        whole = prop.SMProperty.IsA("vtkSMIntVectorProperty") and not isinstance(value, str)
+        setattr(proxy, prefix + name, int(value) if whole else value)
 
 
 def shade(source, settings, name="relief"):
-    relief = pv.ReliefShading(registrationName=name, Input=source, Output="Float linear")
-    relief.UseNoDataValue = 1
-    relief.NoDataValue = -9999.0
+    relief = pv.ReliefShading(registrationName=name, Input=source, Output="Float linear",
+                              UseNoDataValue=1, NoDataValue=-9999.0)
     assign(relief, settings)
     return relief
+
+
+def fetch(proxy, array="Shading"):
+    proxy.UpdatePipeline()
+    return picture_of(pv.servermanager.Fetch(proxy), array)
 
 
 def picture_of(image, array="Shading"):
     columns, rows, _ = image.GetDimensions()
     values = vtk_to_numpy(image.GetPointData().GetArray(array))
     return values.reshape(rows, columns, -1).copy()
-
-
-def fetch(proxy, array="Shading"):
-    proxy.UpdatePipeline()
-    return picture_of(pv.servermanager.Fetch(proxy), array)
 
 
 def check_equal(got, wanted, what):

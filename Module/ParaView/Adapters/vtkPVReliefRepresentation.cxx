@@ -224,11 +224,15 @@ void vtkPVReliefRepresentation::Deliver(vtkInformation* in)
   fields->AddArray(frame);
   sent->SetFieldData(fields);
   vtkPVView::SetPiece(in, this, sent);
-  double bounds[6];
-  heights->GetBounds(bounds);
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(in, this, bounds, matrix);
+  // A client has no heights before they are drawn, and no bounds of theirs.
+  if (heights->GetNumberOfPoints() > 0)
+  {
+    double bounds[6];
+    heights->GetBounds(bounds);
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    vtkPVRenderView::SetGeometryBounds(in, this, bounds, matrix);
+  }
   vtkPVRenderView::SetDeliverToClientAndRenderingProcesses(in, this, true, false);
 }
 
