@@ -75,20 +75,23 @@ with tempfile.TemporaryDirectory() as folder:
     exec(compile(trace, "trace", "exec"), {})
     check("from the trace", False)
 
-# Undone, and done again.
-relief = pv.FindSource("relief")
+# Undone, and done again. States are remembered from when there is a builder.
+forget()
 stack, builder = vtkSMUndoStack(), vtkSMUndoStackBuilder()
 builder.SetUndoStack(stack)
 vtkSMProxyManager.GetProxyManager().SetUndoStackBuilder(builder)
+relief = build()
+manager = vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
 builder.Begin("brighter")
 relief.SunIntensity = 2.0
-relief.AutomaticSubsurfaceDepth = 1
 builder.EndAndPushToStack()
 changed = fetch(relief)
 assert not np.array_equal(changed, wanted)
 assert stack.CanUndo(), "nothing can be undone"
 stack.Undo()
+manager.UpdateRegisteredProxies(0)  # as ParaView's window does
 check_equal(fetch(relief), wanted, "undone")
 stack.Redo()
+manager.UpdateRegisteredProxies(0)
 check_equal(fetch(relief), changed, "done again")
 print("passed")
