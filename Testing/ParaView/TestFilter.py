@@ -53,6 +53,14 @@ for name, settings in {"usual": {}, "multidirectional": {"Lighting": "Multidirec
     check_equal(fetch(ready), reference(name), name)
     pv.Delete(ready)
 
+# The sun of a time and a place, against NREL's own: 2003-10-17 in Golden, azimuth 194.34, altitude 39.89.
+timed = shade(source, {"SunTime": "2003-10-17T12:30:30-07:00", "SunPlace": [-105.1786, 39.742476],
+                       "SunElevation": 1830.14, "SunConvergence": 4.34, "SunByTime": 1}, "timed")
+by_hand = shade(source, {"SunAzimuth": 190.0, "SunAltitude": 39.888}, "by_hand")
+assert np.abs(fetch(timed) - fetch(by_hand)).mean() < 0.002, np.abs(fetch(timed) - fetch(by_hand)).mean()
+by_hand.SunAzimuth = 194.34
+assert np.abs(fetch(timed) - fetch(by_hand)).mean() > 0.01, "the convergence changes nothing"
+
 # Cells, as ParaView's own reader of rasters has them: the same numbers, at their middles.
 of_cells = shade(heights("cells"), base, "of_cells")
 check_equal(fetch(of_cells), wanted_base, "heights of cells")
@@ -62,11 +70,12 @@ assert np.allclose(made.GetOrigin(), given.GetOrigin(), rtol=0, atol=1e-9), made
 assert of_cells.GetDataInformation().GetExtent() == source.GetDataInformation().GetExtent()
 
 # The picture is the default output; layers come as arrays.
-plain = pv.ReliefShading(Input=source, Illumination=1, Normals=1)
+plain = pv.ReliefShading(Input=source, Illumination=1, Normals=1, Shadow=1)
 plain.UpdatePipeline()
 shaded = pv.servermanager.Fetch(plain)
 assert shaded.GetPointData().GetScalars().GetDataTypeAsString() == "unsigned char"
 assert shaded.GetPointData().GetArray("Illumination").GetNumberOfComponents() == 1
+assert shaded.GetPointData().GetArray("Shadow").GetNumberOfComponents() == 1
 assert shaded.GetPointData().GetArray("Normals").GetNumberOfComponents() == 3
 
 # The scale of heights without a unit.

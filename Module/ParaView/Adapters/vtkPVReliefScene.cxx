@@ -50,6 +50,12 @@ struct vtkPVReliefScene::Settings
   int Lighting = SUN;
   double Azimuth = parameters::UsualAzimuth;
   double Altitude = parameters::UsualAltitude;
+  bool SunByTime = false;
+  std::string SunTime;
+  std::array<double, 2> SunPlace{ 0.0, 0.0 };
+  double SunConvergence = 0.0;
+  double SunElevation = 0.0;
+  bool SunRefraction = true;
   int EnvironmentSource = WHITE_DOME;
   double Turbidity = parameters::UsualTurbidity;
   std::string EnvironmentFile;
@@ -61,6 +67,8 @@ struct vtkPVReliefScene::Settings
   using Origin = std::tuple<vtkImageData*, vtkMTimeType, vtkImageData*, vtkMTimeType, double>;
   Origin FittedTo;
 
+  // Where the sun stands after all: azimuth from +y, and altitude.
+  std::array<double, 2> Sun{ 0.0, 0.0 };
   // The image that was read last, and from where.
   vtkSmartPointer<vtkImageData> Image;
   std::string ImageFile;
@@ -173,6 +181,36 @@ void vtkPVReliefScene::SetSunAltitude(double degrees)
   this->Note(this->Internal->Altitude, degrees);
 }
 
+void vtkPVReliefScene::SetSunByTime(bool byTime)
+{
+  this->Note(this->Internal->SunByTime, byTime);
+}
+
+void vtkPVReliefScene::SetSunTime(const char* time)
+{
+  this->Note(this->Internal->SunTime, std::string(time ? time : ""));
+}
+
+void vtkPVReliefScene::SetSunPlace(double longitude, double latitude)
+{
+  this->Note(this->Internal->SunPlace, { longitude, latitude });
+}
+
+void vtkPVReliefScene::SetSunConvergence(double degrees)
+{
+  this->Note(this->Internal->SunConvergence, degrees);
+}
+
+void vtkPVReliefScene::SetSunElevation(double meters)
+{
+  this->Note(this->Internal->SunElevation, meters);
+}
+
+void vtkPVReliefScene::SetSunRefraction(bool refraction)
+{
+  this->Note(this->Internal->SunRefraction, refraction);
+}
+
 void vtkPVReliefScene::SetEnvironmentSource(int source)
 {
   this->Note(this->Internal->EnvironmentSource, std::clamp<int>(source, WHITE_DOME, IMAGE_FILE));
@@ -227,9 +265,32 @@ void vtkPVReliefScene::Update(vtkImageData* heights, vtkImageData* mask, double 
 }
 
 //------------------------------------------------------------------------------
+// Finds where the sun stands. False, after an error, where time or place are none.
+bool vtkPVReliefScene::PlaceSun()
+{
+  Settings& settings = *this->Internal;
+  settings.Sun = { settings.Azimuth, settings.Altitude };
+  if (settings.SunByTime)
+  {
+    double angles[2];
+    if (!this->FindSun(settings.SunTime.c_str(), settings.SunPlace[0], settings.SunPlace[1],
+          settings.SunElevation, settings.SunRefraction, angles))
+    {
+      return false;
+    }
+    settings.Sun = { angles[0] - settings.SunConvergence, angles[1] };
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkPVReliefScene::MakeLights()
 {
   const Settings& settings = *this->Internal;
+  if (settings.Lighting != MULTIDIRECTIONAL && settings.Lighting != SKY_DOME && !this->PlaceSun())
+  {
+    return; // the lights are kept
+  }
   switch (settings.Lighting)
   {
     case MULTIDIRECTIONAL:
@@ -239,7 +300,7 @@ void vtkPVReliefScene::MakeLights()
       this->SetLightsToSkyDome();
       break;
     case SUN_AND_SKY:
-      this->SetLightsToSunAndSky(settings.Azimuth, settings.Altitude);
+      this->SetLightsToSunAndSky(settings.Sun[0], settings.Sun[1]);
       break;
     default:
       this->RemoveAllLights();
@@ -258,7 +319,7 @@ void vtkPVReliefScene::MakeLights()
 void vtkPVReliefScene::AddOwnSun()
 {
   const Settings& settings = *this->Internal;
-  if (vtkLight* sun = this->AddSun(settings.Azimuth, settings.Altitude))
+  if (vtkLight* sun = this->AddSun(settings.Sun[0], settings.Sun[1]))
   {
     settings.Give(sun, parameters::Owner::Light, SunPrefix);
   }
@@ -291,13 +352,13 @@ void vtkPVReliefScene::AddEnvironment()
   else if (settings.EnvironmentSource == CLEAR_SKY)
   {
     const auto refusal =
-      parameters::CheckClearSky(settings.Azimuth, settings.Altitude, settings.Turbidity);
+      parameters::CheckClearSky(settings.Sun[0], settings.Sun[1], settings.Turbidity);
     if (refusal)
     {
       vtkErrorMacro("Clear sky: " << refusal->Reason() << "; there is no environment.");
       return;
     }
-    environment->SetImageToClearSky(settings.Azimuth, settings.Altitude, settings.Turbidity);
+    environment->SetImageToClearSky(settings.Sun[0], settings.Sun[1], settings.Turbidity);
   }
   else
   {
@@ -331,6 +392,7 @@ void vtkPVReliefScene::PrintSelf(ostream& os, vtkIndent indent)
   const Settings& settings = *this->Internal;
   os << indent << "Lighting: " << settings.Lighting << "\n";
   os << indent << "Sun: " << settings.Azimuth << ", " << settings.Altitude << "\n";
+  os << indent << "SunByTime: " << (settings.SunByTime ? settings.SunTime : "Off") << "\n";
   os << indent << "EnvironmentSource: " << settings.EnvironmentSource << "\n";
   os << indent << "EnvironmentFile: " << settings.EnvironmentFile << "\n";
   os << indent << "Turbidity: " << settings.Turbidity << "\n";

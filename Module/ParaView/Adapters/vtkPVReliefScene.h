@@ -71,6 +71,21 @@ public:
   void SetSunAltitude(double degrees);
   ///@}
 
+  ///@{
+  /**
+   * Whether the sun stands where it does at a time and a place, as vtkReliefScene::AddSunAt takes
+   * them, in place of azimuth and altitude. The convergence, degrees clockwise from true north to
+   * +y, is taken off. Default: off; no time; longitude, latitude, convergence and elevation 0; with
+   * refraction.
+   */
+  void SetSunByTime(bool byTime);
+  void SetSunTime(const char* time);
+  void SetSunPlace(double longitude, double latitude);
+  void SetSunConvergence(double degrees);
+  void SetSunElevation(double meters);
+  void SetSunRefraction(bool refraction);
+  ///@}
+
   enum EnvironmentSources
   {
     WHITE_DOME = 0,
@@ -118,6 +133,7 @@ private:
   vtkPVReliefScene(const vtkPVReliefScene&) = delete;
   void operator=(const vtkPVReliefScene&) = delete;
 
+  bool PlaceSun();
   void MakeLights();
   void AddOwnSun();
   void AddLamp();
