@@ -22,6 +22,8 @@ MAY_INCLUDE = {
     "Files": set(),
     "IO": {"Model", "Imaging", "Imaging/Hosts", "Files"},
     "Raster": {"Model", "Imaging", "Imaging/Hosts", "Files"},
+    "ParaView": {"Imaging"},
+    "ParaView/Adapters": {"Imaging", "Imaging/Hosts", "IO", "Rendering"},
     "Programs/reliefshade": {"Imaging", "Imaging/Hosts", "Files", "IO", "Raster"},
     "Programs/reliefviewer": {"Imaging", "Imaging/Hosts", "Files", "IO", "Raster", "Rendering",
                               "Interaction", "Programs/reliefshade"},
@@ -37,6 +39,8 @@ NEVER = {
     "Files": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]",
     "IO": r"vtkOpenGL|vtk_gl|gdal|ogr|Q[A-Z]",
     "Raster": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|Q[A-Z]",
+    "ParaView": r"vtk|OpenImageIO|Imf|gdal|ogr|Q[A-Z]",
+    "ParaView/Adapters": r"vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]|fstream",
     "Programs/reliefshade": r"vtkOpenGL|vtk_gl|Q[A-Z]",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+[<"]([^>"]+)[>"]', re.MULTILINE)
