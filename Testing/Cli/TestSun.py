@@ -132,6 +132,25 @@ class Sun(Case):
                 self.assertTrue(os.path.exists(self.path(name)), name)
         self.assertEqual(len([name for name in self.files() if "T063" in name]), 8)
 
+    def test_frames_of_shadows(self):
+        """Each frame has a mask of its own, and that is the one of its time."""
+        source = self.hills()
+        frames = f"{MORNING},2026-06-21T12:30+02:00,3h{BERLIN}"
+        before = self.files()
+        self.good(source, "--quiet", "--frames", frames, "--shadow-mask", "hidden.png")
+        names = ["hidden_20260621T%s+0200.png" % clock for clock in ("0630", "0930", "1230")]
+        self.assertEqual(sorted(set(self.files()) - set(before)), names)
+        masks = [Picture(self.path(name)) for name in names]
+        for mask, time in zip(masks, ("06:30", "09:30", "12:30")):
+            at = f"2026-06-21T{time}+02:00{BERLIN}"
+            self.good(source, "--quiet", "--sun-at", at, "--shadow-mask", "one.png")
+            self.assertEqual(mask, Picture(self.path("one.png")))
+        hidden = [sum(value == 255 for row in mask.rows for value in row) for mask in masks]
+        self.assertTrue(hidden[0] > hidden[1] > hidden[2], hidden)
+        # A frame's mask is held against what is read, too.
+        other = self.plane(name=names[1])
+        self.bad(2, ["would replace INPUT"], other, "--frames", frames, "--shadow-mask", "hidden.png")
+
     @needsGdal
     def test_frames_in_bands_and_threads(self):
         """Heights that are prepared once give what they give anew, whatever the rows and threads."""
