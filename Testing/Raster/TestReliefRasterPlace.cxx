@@ -251,9 +251,10 @@ void TestPlace()
     Read antarctic(Around(3031, 800000.0 * sine, 800000.0 * cosine, 100.0));
     CHECK(Placed(antarctic, longitude, antarctic.Reader->GetPlace()[1], -longitude, 1e-6));
   }
-  // Five hundred metres from a pole it is the same.
+  // Five hundred metres from a pole it is the same, but for the metres of x and y: they are told by
+  // places 10 m away, where meridians have turned, and differ by 4e-5.
   Read pole(Around(3995, 300.0, 400.0, 1.0));
-  CHECK(Placed(pole, 143.1301, 90.0 - 500.0 * 180.0 / (Pi * 6.4e6), 143.1301, 1e-3));
+  CHECK(Placed(pole, 143.1301, 90.0 - 500.0 * 180.0 / (Pi * 6.4e6), 143.1301, 2e-3));
   // A raster that is turned on its map has that map's place.
   TestRaster turned = Around(32632, 780000.0, 5900000.0, 30.0);
   turned.Transform = { 780000.0, 20.0, 10.0, 5900000.0, 10.0, -20.0 };
