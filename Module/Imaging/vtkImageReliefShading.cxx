@@ -526,7 +526,8 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   std::string wrong = internal.Prepare(inputs);
   if (wrong.empty() && this->GenerateShadow && internal.Scene.Get().sun.empty())
   {
-    wrong = "the layer Shadow is that of a sun, and no sun is on; add a sun, or leave the layer out";
+    wrong =
+      "the layer Shadow is that of a sun, and no sun is on; add a sun, or leave the layer out";
   }
   wrong = wrong.empty()
     ? internal.MakeOutput(vtkImageData::GetData(inputs[0]), outInfo, last, target)
