@@ -95,6 +95,18 @@ const LayerNames& layerNames()
 }
 
 //------------------------------------------------------------------------------
+const LayerNames& usualLayerNames()
+{
+  static const LayerNames names = []
+  {
+    LayerNames usual = layerNames();
+    usual.erase(std::find(usual.begin(), usual.end(), "shadow"));
+    return usual;
+  }();
+  return names;
+}
+
+//------------------------------------------------------------------------------
 int layerComponents(const std::string& layer)
 {
   return layer == "illumination" || layer == "thickness" || layer == "shadow" ? 1 : 3;

@@ -19,6 +19,9 @@ using LayerNames = std::vector<std::string>;
 /// The layers that can be written, in lower case.
 const LayerNames& layerNames();
 
+/// Those of them that every scene has: a shadow needs a sun.
+const LayerNames& usualLayerNames();
+
 /// 1 for numbers, 3 for vectors and colours.
 int layerComponents(const std::string& layer);
 

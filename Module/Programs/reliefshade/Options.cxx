@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <memory>
 
 namespace
@@ -295,13 +294,7 @@ void setLayers(std::string list, Options& options)
   if (file)
   {
     options.LayersFile = list;
-    if (options.Layers.empty())
-    {
-      // All that every scene has: it may have no sun.
-      const LayerNames& names = layerNames();
-      std::copy_if(names.begin(), names.end(), std::back_inserter(options.Layers),
-        [](const std::string& name) { return name != "shadow"; });
-    }
+    options.Layers = options.Layers.empty() ? usualLayerNames() : options.Layers;
   }
 }
 
@@ -433,8 +426,8 @@ const char* const Usage =
   " TIFF keeps the georeference of INPUT."
 #endif
   "\n"
-  "        /vsistdin/ and /vsistdout/, or - for either, are the standard streams, with which\n"
-  "        --format tells what is written.\n";
+  "        /vsistdin/ and /vsistdout/, or - for either, are the standard streams;\n"
+  "        --format tells what is written to them.\n";
 
 const char* const Footer =
   "Coordinates\n"

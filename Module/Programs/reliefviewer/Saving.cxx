@@ -85,12 +85,12 @@ void saveLayers(
   reliefshade::LayersWriter writer(file);
   vtkNew<vtkImageReliefShading> shading;
   shading->SetOutputScalarTypeToFloat();
-  reliefshade::generateLayers(reliefshade::layerNames(), shading);
+  reliefshade::generateLayers(reliefshade::usualLayerNames(), shading);
   writer.Prepare(shading);
   shade(file, shading, field, scene, progress);
   relief::raster::GeoReference reference = field.Heights.Reference;
   reference.Metadata = reliefshade::provenance(shading, "");
-  writer.Write(shading, reliefshade::layerNames(), reference);
+  writer.Write(shading, reliefshade::usualLayerNames(), reference);
   reliefshade::OutputFile::KeepAll({ &writer.GetFile() });
 }
 
