@@ -59,8 +59,8 @@ void TestDefaults()
   filter->Print(printed);
   for (const char* name :
     { "Scene", "NoDataValue", "UseNoDataValue", "OutputScalarType", "GenerateIllumination",
-      "GenerateThickness", "GenerateShadow", "GenerateNormals", "GenerateBase", "GenerateDiffuse", "GenerateScatter",
-      "GenerateSpecular", "CacheMemoryLimit", "Statistics" })
+      "GenerateThickness", "GenerateShadow", "GenerateNormals", "GenerateBase", "GenerateDiffuse",
+      "GenerateScatter", "GenerateSpecular", "CacheMemoryLimit", "Statistics" })
   {
     CHECK(printed.str().find(std::string(name) + ":") != std::string::npos);
   }
