@@ -479,6 +479,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
   addMaterialOptions(parser, options);
   addPictureOptions(parser, options);
   addRunOptions(parser, options);
+  parser.SetGroup("Help");
   bool lists = false;
   parser.Flag("--parameters",
     "Prints the parameters of the scene that are options as JSON and ends. For programs that offer "
