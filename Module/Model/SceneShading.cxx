@@ -336,8 +336,10 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, SceneTile& ti
       [&](int at, std::size_t place)
       {
         std::copy_n(kept.illumination.data() + place, columns, tile.d.values + at);
-        std::copy_n(
-          kept.thickness.data() + place, plan.thickness ? columns : 0, tile.r.values + at);
+        if (plan.thickness)
+        {
+          std::copy_n(kept.thickness.data() + place, columns, tile.r.values + at);
+        }
       });
     return;
   }
@@ -381,8 +383,10 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, SceneTile& ti
       [&](int at, std::size_t place)
       {
         std::copy_n(tile.d.values + at, columns, fresh.illumination.data() + place);
-        std::copy_n(
-          tile.r.values + at, plan.thickness ? columns : 0, fresh.thickness.data() + place);
+        if (plan.thickness)
+        {
+          std::copy_n(tile.r.values + at, columns, fresh.thickness.data() + place);
+        }
       });
   }
 }
