@@ -153,6 +153,13 @@ const char* NameOf(Kind kind)
   return names[static_cast<int>(kind)];
 }
 
+const char* NameOf(Group group)
+{
+  static const char* const names[] = { "Relief", "Lights", "Environment", "Highlights", "Backlight",
+    "Accuracy" };
+  return names[static_cast<int>(group)];
+}
+
 //------------------------------------------------------------------------------
 const std::vector<const char*>& ImageSourceNames()
 {

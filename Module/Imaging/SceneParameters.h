@@ -124,6 +124,7 @@ VTKRELIEFSHADING_EXPORT const Parameter& Find(Owner owner, const std::string& na
 
 VTKRELIEFSHADING_EXPORT const char* NameOf(Owner owner);
 VTKRELIEFSHADING_EXPORT const char* NameOf(Kind kind);
+VTKRELIEFSHADING_EXPORT const char* NameOf(Group group);
 /// Of vtkReliefEnvironment::ImageSources, as printed. As a key: NameAsKey.
 VTKRELIEFSHADING_EXPORT const std::vector<const char*>& ImageSourceNames();
 VTKRELIEFSHADING_EXPORT std::string NameAsKey(const std::string& name);

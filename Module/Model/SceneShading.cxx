@@ -59,15 +59,9 @@ SceneShading::SceneShading(
     {
       this->UseCache(plan, cached);
     }
-    if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact &&
-      field.GetMissingRow() && SweepThickness::Applies(scene.medium, plan.light))
+    if (plan.trace && !plan.kept && scene.integrator == Integrator::Exact)
     {
-      // A sun's list of crossings is as long as the image. What no more room is for is traced by
-      // packets, which need no list.
-      plan.sweep = sweeps < MostSweepMemory
-        ? std::make_unique<SweepThickness>(field, plan.medium, plan.light)
-        : nullptr;
-      sweeps += plan.sweep ? plan.sweep->GetMemorySize() : 0;
+      plan.sweep = SweepThickness::MakeWhereItApplies(field, plan.medium, plan.light, sweeps);
     }
     first = false;
     this->Plans.push_back(std::move(plan));
@@ -76,7 +70,7 @@ SceneShading::SceneShading(
   this->MakeRoom();
   if (target.shadow)
   {
-    this->Shadow = std::make_unique<SunShadow>(field, scene.sun);
+    this->Shadow = std::make_unique<SunShadow>(field, scene.sun, sweeps);
   }
 
   this->Effects = FindEffects(scene, effects, anyTrace, target.normals != nullptr);

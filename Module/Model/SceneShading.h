@@ -53,9 +53,6 @@ public:
   int GetNumberOfLights() const { return static_cast<int>(this->Plans.size()); }
   ///@}
 
-  /// What the lists of crossings may take, in bytes, and one more list (SweepThickness).
-  static constexpr std::size_t MostSweepMemory = std::size_t{ 256 } << 20;
-
 private:
   // A light, and how it is traced here.
   struct Plan : LightPlan

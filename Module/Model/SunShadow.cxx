@@ -15,7 +15,7 @@ constexpr f64::ReliefMedium Opaque = { 0.0, f64::RELIEF_VERTICAL, f64::RELIEF_RE
   false, 0.0, 0.0 };
 }
 
-SunShadow::SunShadow(const HeightField& field, const std::vector<Light>& disc)
+SunShadow::SunShadow(const HeightField& field, const std::vector<Light>& disc, std::size_t taken)
   : Heights(field.GetField())
   , Medium(ToSingle(Opaque))
 {
@@ -30,9 +30,9 @@ SunShadow::SunShadow(const HeightField& field, const std::vector<Light>& disc)
     direction.light = light;
     direction.share = light.weight / sum;
     direction.up = light.vector.z >= 0.0;
-    if (direction.up && field.GetMissingRow() && SweepThickness::Applies(Opaque, light))
+    if (direction.up)
     {
-      direction.sweep = std::make_unique<SweepThickness>(field, Opaque, light);
+      direction.sweep = SweepThickness::MakeWhereItApplies(field, Opaque, light, taken);
     }
     this->Directions.push_back(std::move(direction));
   }

@@ -6,6 +6,7 @@
 #include "RayThickness.h"
 #include "SweepThickness.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -20,8 +21,9 @@ class SunShadow
 {
 public:
   /// The directions that a sun's disc is sampled by, with their weights; one where it has no width.
-  /// The field must outlive this object.
-  SunShadow(const HeightField& field, const std::vector<Light>& disc);
+  /// The field must outlive this object. `taken` is what lists of crossings take already, in bytes
+  /// (SweepThickness).
+  SunShadow(const HeightField& field, const std::vector<Light>& disc, std::size_t taken = 0);
 
   /// Fills the share of the disc that is hidden, in [0, 1], for the samples of a tile of
   /// SweepThickness, row by row; samples outside the image or without data get any number.

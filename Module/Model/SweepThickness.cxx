@@ -46,6 +46,18 @@ bool SweepThickness::Applies(const f64::ReliefMedium& medium, const Light& light
     medium.offset != f64::RELIEF_SURFACE_NORMAL;
 }
 
+std::unique_ptr<SweepThickness> SweepThickness::MakeWhereItApplies(
+  const HeightField& field, const f64::ReliefMedium& medium, const Light& light, std::size_t& taken)
+{
+  if (!field.GetMissingRow() || !Applies(medium, light) || taken >= MostMemory)
+  {
+    return nullptr;
+  }
+  auto sweep = std::make_unique<SweepThickness>(field, medium, light);
+  taken += sweep->GetMemorySize();
+  return sweep;
+}
+
 namespace
 {
 // Greatest less least height, and t.

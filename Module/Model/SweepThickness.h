@@ -7,6 +7,7 @@
 #include "RayThickness.h"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace relief
@@ -43,6 +44,15 @@ public:
 
   /// Lists the crossings. The field must be padded, and outlive this object.
   SweepThickness(const HeightField& field, const f64::ReliefMedium& medium, const Light& light);
+
+  /// What the lists of crossings of several lights may take, in bytes, and one more list.
+  static constexpr std::size_t MostMemory = std::size_t{ 256 } << 20;
+
+  /// One for a light that is swept over this field, as long as fewer than MostMemory bytes are
+  /// taken, to which its own are added; else null. A list is as long as the image; packets, which
+  /// trace what no more room is for, need none.
+  static std::unique_ptr<SweepThickness> MakeWhereItApplies(const HeightField& field,
+    const f64::ReliefMedium& medium, const Light& light, std::size_t& taken);
 
   /// Fills d (and r, where given) for the TileWidth x TileHeight samples from
   /// (column * TileWidth, row * TileHeight) on; samples outside the image or without data get any

@@ -268,23 +268,22 @@ private:
 std::string Filler::NameGroup(
   const std::string& group, const std::string& owner, const std::string& prefix)
 {
-  static const std::map<std::string, Group> groups = { { "Relief", Group::Relief },
-    { "Lights", Group::Lights }, { "Environment", Group::Environment },
-    { "Highlights", Group::Highlights }, { "Backlight", Group::Backlight },
-    { "Accuracy", Group::Accuracy } };
-  if (groups.count(group) == 0)
-  {
-    throw std::runtime_error("there is no group " + group);
-  }
+  bool any = false;
   std::string names;
   for (const Entry& entry : Entries())
   {
     const bool ofLight = entry.Of->Of == Owner::Light;
-    if (entry.Of->In == groups.at(group) && (owner.empty() ? !ofLight : entry.Owner == owner))
+    const bool inGroup = group == NameOf(entry.Of->In);
+    any = any || inGroup;
+    if (inGroup && (owner.empty() ? !ofLight : entry.Owner == owner))
     {
       names += "            <Property name=\"" + prefix + entry.Name + "\"/>\n";
       this->Grouped[prefix].insert(entry.Name);
     }
+  }
+  if (!any)
+  {
+    throw std::runtime_error("there is no group " + group);
   }
   return names;
 }

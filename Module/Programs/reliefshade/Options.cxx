@@ -382,9 +382,9 @@ void addRunOptions(OptionParser& parser, Options& options)
     "where there is no data. As an OpenEXR file: linear colour and the layers named before it, or "
     "all, in this one file, named as compositing programs expect; OUTPUT may be left out then. "
     "illumination: share of the light that gets through; thickness: length of the first light's "
-    "way inside the material; shadow: share of the first sun that the relief hides, which has to "
-    "be "
-    "named; normals: unit surface normals; base, diffuse, scatter, specular: linear colours that "
+    "way inside the material; shadow: share of the first sun that the relief hides, only where it "
+    "is named; normals: unit surface normals; base, diffuse, scatter, specular: linear colours "
+    "that "
     "sum to the result",
     [&options](const std::string& list) { setLayers(list, options); });
   parser.Word("--shadow-mask", "FILE",

@@ -21,27 +21,6 @@ Json::Value finite(double number)
 }
 
 //------------------------------------------------------------------------------
-const char* groupName(parameters::Group group)
-{
-  switch (group)
-  {
-    case parameters::Group::Relief:
-      return "relief";
-    case parameters::Group::Lights:
-      return "lights";
-    case parameters::Group::Environment:
-      return "environment";
-    case parameters::Group::Highlights:
-      return "highlights";
-    case parameters::Group::Backlight:
-      return "backlight";
-    case parameters::Group::Accuracy:
-      return "accuracy";
-  }
-  return "";
-}
-
-//------------------------------------------------------------------------------
 Json::Value entryOf(const parameters::Parameter& parameter)
 {
   Json::Value entry;
@@ -49,7 +28,7 @@ Json::Value entryOf(const parameters::Parameter& parameter)
   entry["owner"] = parameters::NameOf(parameter.Of);
   entry["name"] = parameter.Name;
   entry["label"] = parameter.Label;
-  entry["group"] = groupName(parameter.In);
+  entry["group"] = parameters::NameAsKey(parameters::NameOf(parameter.In));
   entry["kind"] = parameters::NameOf(parameter.Is);
   entry["unit"] = parameter.Unit;
   entry["help"] = parameter.Help;

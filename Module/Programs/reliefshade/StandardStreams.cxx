@@ -2,6 +2,8 @@
 #include "StandardStreams.h"
 
 #include "Failure.h"
+#include "FileGuard.h"
+#include "MessageLog.h"
 #include "TemporaryFile.h"
 #include "Watch.h"
 
@@ -12,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <random>
 #include <system_error>
 #include <vector>
@@ -195,6 +198,33 @@ bool names(const std::string& word, const char* file)
       word.find(".vsistd") != std::string::npos);
 }
 
+//------------------------------------------------------------------------------
+/// A message with the streams' names in place of their files'.
+std::string withStreamNames(const std::string& text)
+{
+  std::string result;
+  const char* const marks = " \"'";
+  for (std::size_t begin = 0; begin < text.size();)
+  {
+    std::size_t end = text.find_first_of(marks, begin);
+    end = end == std::string::npos ? text.size() : end + 1;
+    std::string word = text.substr(begin, end - begin);
+    for (const auto& [file, name] :
+      { std::make_pair(InputFile, InputName), std::make_pair(OutputFile, OutputName) })
+    {
+      if (names(word, file))
+      {
+        const std::size_t behind = word.find_last_not_of(" \"':,;.") + 1;
+        // What goes before the folder, as in "/vsigzip//tmp/...", is left out, too.
+        word = name + word.substr(behind);
+      }
+    }
+    result += word;
+    begin = end;
+  }
+  return result;
+}
+
 }
 
 namespace reliefshade
@@ -316,29 +346,9 @@ void StandardStreams::Send() const
 }
 
 //------------------------------------------------------------------------------
-std::string withStreamNames(const std::string& text)
+void say(const std::string& text)
 {
-  std::string result;
-  const char* const marks = " \"'";
-  for (std::size_t begin = 0; begin < text.size();)
-  {
-    std::size_t end = text.find_first_of(marks, begin);
-    end = end == std::string::npos ? text.size() : end + 1;
-    std::string word = text.substr(begin, end - begin);
-    for (const auto& [file, name] :
-      { std::make_pair(InputFile, InputName), std::make_pair(OutputFile, OutputName) })
-    {
-      if (names(word, file))
-      {
-        const std::size_t behind = word.find_last_not_of(" \"':,;.") + 1;
-        // What goes before the folder, as in "/vsigzip//tmp/...", is left out, too.
-        word = name + word.substr(behind);
-      }
-    }
-    result += word;
-    begin = end;
-  }
-  return result;
+  std::cerr << "reliefshade: " << relief::io::Brief(withStreamNames(oneLine(text))) << std::endl;
 }
 
 }

@@ -52,8 +52,9 @@ private:
   int Output = -1; // what was the standard output
 };
 
-/// A message with the streams' names in place of their files'.
-std::string withStreamNames(const std::string& text);
+/// Puts one line of a message on the standard error stream, with the streams' names in place of
+/// their files'.
+void say(const std::string& text);
 
 }
 

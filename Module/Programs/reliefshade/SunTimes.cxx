@@ -119,11 +119,9 @@ void addSunTimes(OptionParser& parser, Options& options, void (*prepare)(Options
   parser
     .Word("--sun-at", "TIME[,LON,LAT...]",
       "The sun of a time. ISO 8601 with a zone, 2026-06-21T06:30+02:00 or 2026-06-21T04:30Z, of "
-      "the "
-      "years 1600 to 2399; LON to the east and LAT to the north in degrees. What the map's north "
-      "is "
-      "beside the true one counts. I,R,G,B may follow, intensity and colour. Default: the place of "
-      "INPUT's centre, if its georeference tells it",
+      "the years 1600 to 2399; LON to the east and LAT to the north in degrees. What the map's "
+      "north is beside the true one counts. I,R,G,B may follow, intensity and colour. Default: the "
+      "place of INPUT's centre, if its georeference tells it",
       [&options, prepare](const std::string& word)
       {
         prepare(options);
@@ -133,9 +131,8 @@ void addSunTimes(OptionParser& parser, Options& options, void (*prepare)(Options
   parser.Word("--frames", "START,END,STEP[...]",
     "A picture for each of several times. Of the sun from START to END, which are as TIME above, "
     "each STEP later: 15min, 30s, 1h or PT15M. LON,LAT,I,R,G,B may follow. The names of files get "
-    "the "
-    "time before their extension, in START's zone: shaded_20260621T0630+0200.png. A frame's files "
-    "appear when it is whole. An automatic exposure is each frame's own",
+    "the time before their extension, in START's zone: shaded_20260621T0630+0200.png. A frame's "
+    "files appear when it is whole. An automatic exposure is each frame's own",
     [&options, prepare](const std::string& word)
     {
       prepare(options);
@@ -143,8 +140,7 @@ void addSunTimes(OptionParser& parser, Options& options, void (*prepare)(Options
     });
   parser.Word("--refraction", "M|off",
     "How air bends the light of --sun-at. And of --frames: by the standard atmosphere M metres "
-    "above "
-    "the sea, at most 11000; off: not at all. Default: 0",
+    "above the sea, at most 11000; off: not at all. Default: 0",
     [&options](const std::string& word)
     {
       if (isWord(word, "off"))

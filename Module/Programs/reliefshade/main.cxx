@@ -3,29 +3,22 @@
 // reliefshade: shades a height field from a file into a picture. Options.cxx describes the command
 // line, RasterFiles.h and PictureOutput.h the files; this is what happens between them.
 
-#include "AccuracyOutput.h"
 #include "BandShading.h"
 #include "ColorTable.h"
 #include "Failure.h"
-#include "FileGuard.h"
 #include "HeightScaling.h"
-#include "ImageFormats.h"
 #include "ImageFrame.h"
 #include "LayersWriter.h"
 #include "MessageLog.h"
 #include "Options.h"
-#include "OutputFile.h"
 #include "OutputNames.h"
-#include "OutputOptions.h"
+#include "Outputs.h"
 #include "PictureChoice.h"
-#include "PictureOutput.h"
-#include "Provenance.h"
 #include "RasterFiles.h"
 #include "ReferencedPicture.h"
 #include "StandardStreams.h"
 #include "SunTimes.h"
 #include "Threads.h"
-#include "Verify.h"
 #include "Watch.h"
 
 #include "vtkDataArray.h"
@@ -39,303 +32,15 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
-#include <optional>
-#include <stdexcept>
+#include <exception>
+#include <new>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace
 {
 
 using namespace reliefshade;
-
-//------------------------------------------------------------------------------
-/// One line on the standard error stream.
-void say(const std::string& text)
-{
-  std::cerr << "reliefshade: " << relief::io::Brief(withStreamNames(oneLine(text))) << std::endl;
-}
-
-//------------------------------------------------------------------------------
-void saveScene(vtkReliefScene* scene, const OutputFile& staged)
-{
-  std::string reason;
-  const std::string text = imageFormats().SceneText(staged.Name(), scene, reason);
-  if (text.empty())
-  {
-    takeError(); // it is told here
-    throw Failure(staged.Target(), staged.Reword(reason));
-  }
-  staged.WriteText(text);
-}
-
-//------------------------------------------------------------------------------
-bool showsBar(const Options& options)
-{
-  return terminal() && !options.Quiet;
-}
-
-//------------------------------------------------------------------------------
-/// Whether a picture is wanted: a report measures by itself.
-bool shades(const Options& options)
-{
-  return !options.Output.empty() || !options.LayersFile.empty() || !options.ShadowMask.empty() ||
-    options.VerifiedSamples > 0;
-}
-
-//------------------------------------------------------------------------------
-/// What one sample of the filter's output takes.
-double shadedBytes(const Options& options)
-{
-  const bool isFloat = outputType(options) == VTK_FLOAT;
-  double bytes = isFloat ? 16.0 : 4.0;
-  for (const std::string& layer : options.Layers)
-  {
-    bytes += 4.0 * layerComponents(layer);
-  }
-  bytes += options.ShadowMask.empty() ? 0.0 : 8.0; // the layer, and the picture of it
-  if (!options.LayersFile.empty() && !isFloat)
-  {
-    bytes += 4.0 * 12.0 + 16.0; // the colour's parts, and their sum
-  }
-  const bool illumination = options.VerifiedSamples > 0 &&
-    std::find(options.Layers.begin(), options.Layers.end(), "illumination") == options.Layers.end();
-  return bytes + (illumination ? 4.0 : 0.0);
-}
-
-//------------------------------------------------------------------------------
-/// Whether all is shaded before any of it is written, not some rows at a time.
-bool shadesAtOnce(const Options& options)
-{
-  return !options.LayersFile.empty() || options.VerifiedSamples > 0;
-}
-
-//------------------------------------------------------------------------------
-/// What a sample takes beside its height as the file stores it: the prepared height with its
-/// bounds, the tint, and all that is shaded at once.
-double bytesPerSample(const Options& options)
-{
-  return 4.0 + 4.0 + (options.Tint.empty() ? 0.0 : 4.0) +
-    (shadesAtOnce(options) ? shadedBytes(options) : 0.0);
-}
-
-//------------------------------------------------------------------------------
-void claim(const std::string& file, MemoryBudget& budget, double bytes)
-{
-  try
-  {
-    budget.Claim(bytes);
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw Failure(file, error.what());
-  }
-}
-
-//------------------------------------------------------------------------------
-void printWarnings(const Options& options)
-{
-  for (const std::string& warning : takeWarnings())
-  {
-    if (!options.Quiet)
-    {
-      say("warning: " + warning);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The files that a run writes: all appear when all are written, or none does.
-class Outputs
-{
-public:
-  /// Finds out at once whether all of them can be written. Throws a Failure.
-  Outputs(const Options& options, Raster& raster, MemoryBudget& budget);
-
-  /// The file of the colour and the layers, if there is one.
-  const LayersWriter* GetLayersWriter() const { return this->Layers ? &*this->Layers : nullptr; }
-
-  /// Shades and writes, which is a part of the run. The scene is the one to be kept.
-  ShadingReport Write(vtkImageReliefShading* shading, vtkReliefScene* scene, const RunPart& part);
-
-private:
-  void Begin(vtkImageReliefShading* shading);
-  void WriteRows(vtkImageData* part);
-  void Finish(vtkImageReliefShading* shading, vtkReliefScene* scene);
-
-  const Options& Given;
-  GeoReference& Reference;
-  std::optional<PictureOutput> Picture;
-  std::optional<LayersWriter> Layers;
-  std::vector<std::unique_ptr<PictureOutput>> LayerPictures; // as the options list them
-  std::optional<PictureOutput> Mask;
-  std::optional<OutputFile> Scene;
-  std::optional<AccuracyOutput> Report;
-};
-
-//------------------------------------------------------------------------------
-Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
-  : Given(options)
-  , Reference(raster.Reference)
-{
-  double bytes = 0.0; // a sample
-  if (!options.Output.empty())
-  {
-    const PictureForm form = formOfOutput(options, relief::raster::LacksData(raster));
-    this->Picture.emplace(options.Output, form, this->Reference);
-    bytes += this->Picture->GetBytesPerSample();
-  }
-  if (!options.LayersFile.empty())
-  {
-    this->Layers.emplace(options.LayersFile);
-  }
-  else
-  {
-    for (const std::string& layer : options.Layers)
-    {
-      const PictureForm form = formOfLayer(options, layerComponents(layer));
-      this->LayerPictures.push_back(
-        std::make_unique<PictureOutput>(layerFile(options.Output, layer), form, this->Reference));
-      bytes += this->LayerPictures.back()->GetBytesPerSample();
-    }
-  }
-  if (!options.ShadowMask.empty())
-  {
-    const PictureForm form = formOfMask(options, relief::raster::LacksData(raster));
-    this->Mask.emplace(options.ShadowMask, form, this->Reference);
-    bytes += this->Mask->GetBytesPerSample();
-  }
-  if (!options.SavedScene.empty())
-  {
-    this->Scene.emplace(options.SavedScene);
-  }
-  if (!options.AccuracyReport.empty())
-  {
-    this->Report.emplace(options.AccuracyReport);
-  }
-  claim(options.Input, budget, bytes * raster.Heights->GetNumberOfPoints());
-}
-
-//------------------------------------------------------------------------------
-// What headers say is known then: samples have been retraced, if they are to be.
-void Outputs::Begin(vtkImageReliefShading* shading)
-{
-  const std::string verified = this->Given.VerifiedSamples > 0
-    ? verify(shading, this->Given, showsBar(this->Given))
-    : std::string();
-  if (this->Layers || writesTiff(this->Given))
-  {
-    this->Reference.Metadata = provenance(shading, verified);
-  }
-  int size[3];
-  vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0))->GetDimensions(size);
-  if (this->Picture)
-  {
-    this->Picture->Begin(size);
-  }
-  for (const auto& picture : this->LayerPictures)
-  {
-    picture->Begin(size);
-  }
-  if (this->Mask)
-  {
-    this->Mask->Begin(size);
-  }
-}
-
-//------------------------------------------------------------------------------
-void Outputs::WriteRows(vtkImageData* part)
-{
-  if (this->Picture)
-  {
-    this->Picture->WriteRows(part);
-  }
-  for (std::size_t k = 0; k < this->LayerPictures.size(); ++k)
-  {
-    this->LayerPictures[k]->WriteRows(layerImage(part, this->Given.Layers[k]));
-  }
-  if (this->Mask)
-  {
-    this->Mask->WriteRows(maskImage(part));
-  }
-}
-
-//------------------------------------------------------------------------------
-void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
-{
-  std::vector<OutputFile*> files;
-  if (this->Picture)
-  {
-    this->Picture->Finish();
-    files.push_back(&this->Picture->GetFile());
-  }
-  if (this->Layers)
-  {
-    this->Layers->Write(shading, this->Given.Layers, this->Reference);
-    files.push_back(&this->Layers->GetFile());
-  }
-  for (const auto& picture : this->LayerPictures)
-  {
-    picture->Finish();
-    files.push_back(&picture->GetFile());
-  }
-  if (this->Mask)
-  {
-    this->Mask->Finish();
-    files.push_back(&this->Mask->GetFile());
-  }
-  if (this->Scene)
-  {
-    saveScene(scene, *this->Scene);
-    files.push_back(&*this->Scene);
-  }
-  if (this->Report)
-  {
-    files.push_back(&this->Report->GetFile());
-  }
-  stopIfInterrupted();
-  OutputFile::KeepAll(files);
-}
-
-//------------------------------------------------------------------------------
-ShadingReport Outputs::Write(
-  vtkImageReliefShading* shading, vtkReliefScene* scene, const RunPart& part)
-{
-  // First, since what cannot be measured shall cost no shading.
-  if (this->Report)
-  {
-    this->Report->Write(shading, scene, this->Given.Input, showsBar(this->Given));
-  }
-  ShadingReport report;
-  if (shades(this->Given))
-  {
-    // The rows of all files are alike.
-    const int columns =
-      vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0))->GetDimensions()[0];
-    const bool atOnce = shadesAtOnce(this->Given);
-    const int rows = atOnce ? 0 : rowsOfBand(columns, shadedBytes(this->Given));
-    const bool upward = (this->Picture && this->Picture->IsUpward()) ||
-      (this->Mask && this->Mask->IsUpward()) ||
-      (!this->LayerPictures.empty() && this->LayerPictures.front()->IsUpward());
-    if (!atOnce)
-    {
-      this->Begin(shading);
-    }
-    report = shadeBands(shading, this->Given.Input, rows, upward, part,
-      [&](vtkImageData* band)
-      {
-        if (atOnce)
-        {
-          this->Begin(shading);
-        }
-        this->WriteRows(band);
-      });
-  }
-  printWarnings(this->Given);
-  this->Finish(shading, scene);
-  return report;
-}
 
 //------------------------------------------------------------------------------
 void printStatistics(const Raster& raster, const Options& options, const ShadingReport& report)

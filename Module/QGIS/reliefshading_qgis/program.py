@@ -49,13 +49,20 @@ def _parametersOf(path):
     return json.loads(done.stdout)
 
 
+def textOf(file):
+    """What a temporary file holds, without the blanks around it."""
+    file.seek(0)
+    return file.read().decode("utf-8", "replace").strip()
+
+
 def run(words, feedback):
     """Runs the program and passes on how far it is; a Failure has its message. Returns False if it
     was canceled."""
     path = find()
     feedback.pushCommandInfo(subprocess.list2cmdline([path, *words]))
-    with tempfile.TemporaryFile() as errors:
-        with subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+    # Files, since nobody empties a pipe while the program runs.
+    with tempfile.TemporaryFile() as outputs, tempfile.TemporaryFile() as errors:
+        with subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, stdout=outputs,
                               stderr=errors) as process:
             canceled = False
             while process.poll() is None:
@@ -64,9 +71,7 @@ def run(words, feedback):
                     process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
                     canceled = True
                 time.sleep(0.05)
-            output = process.stdout.read().decode("utf-8", "replace").strip()
-        errors.seek(0)
-        message = errors.read().decode("utf-8", "replace").strip()
+        output, message = (textOf(file) for file in (outputs, errors))
     if canceled:
         return False
     if process.returncode != 0:
