@@ -43,23 +43,6 @@ bool SameFolder(const fs::path& one, const fs::path& other)
   return one == other || fs::equivalent(one, other, code);
 }
 
-/// Where in a name the path of a file begins: behind "/vsizip/", "/vsizip//vsigzip/" and the like.
-std::size_t BeginOfPath(const std::string& name)
-{
-  std::error_code code;
-  std::size_t begin = 0;
-  while (name.compare(begin, 4, "/vsi") == 0 || (begin > 0 && name.compare(begin, 3, "vsi") == 0))
-  {
-    const std::size_t end = name.find('/', begin + 1);
-    if (end == std::string::npos || fs::exists(name.substr(begin, end - begin), code))
-    {
-      break;
-    }
-    begin = end + 1;
-  }
-  return begin;
-}
-
 //------------------------------------------------------------------------------
 /// A picture of Radiance has the extension of ESRI's and ENVI's headers.
 bool IsRadiancePicture(const fs::path& file)
@@ -108,6 +91,23 @@ std::string FollowLinks(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+std::size_t BeginOfPath(const std::string& name)
+{
+  std::error_code code;
+  std::size_t begin = 0;
+  while (name.compare(begin, 4, "/vsi") == 0 || (begin > 0 && name.compare(begin, 3, "vsi") == 0))
+  {
+    const std::size_t end = name.find('/', begin + 1);
+    if (end == std::string::npos || fs::exists(name.substr(begin, end - begin), code))
+    {
+      break;
+    }
+    begin = end + 1;
+  }
+  return begin;
+}
+
+//------------------------------------------------------------------------------
 std::string FileBehind(const std::string& name)
 {
   const std::string inner = name.substr(BeginOfPath(name));
@@ -152,6 +152,39 @@ bool SameFile(const std::string& one, const std::string& other)
   const fs::path first = FollowLinks(one);
   const fs::path second = FollowLinks(other);
   return first.filename() == second.filename() && SameFolder(FolderOf(first), FolderOf(second));
+}
+
+//------------------------------------------------------------------------------
+std::optional<std::size_t> FileNames::Add(const std::string& name)
+{
+  const std::size_t own = this->Count++;
+  const fs::path path = FollowLinks(name);
+  const fs::path folder = FolderOf(path);
+  const auto known = std::find_if(this->Folders.begin(), this->Folders.end(),
+    [&folder](const fs::path& other) { return SameFolder(folder, other); });
+  const auto place = static_cast<std::size_t>(known - this->Folders.begin());
+  if (known == this->Folders.end())
+  {
+    this->Folders.push_back(folder);
+  }
+  const auto [found, isNew] = this->Places.emplace(std::make_pair(place, path.filename()), own);
+  if (!isNew)
+  {
+    return found->second;
+  }
+  std::error_code code;
+  if (fs::hard_link_count(path, code) > 1 && !code)
+  {
+    for (const auto& [other, at] : this->Linked)
+    {
+      if (fs::equivalent(path, other, code))
+      {
+        return at;
+      }
+    }
+    this->Linked.emplace_back(path.string(), own);
+  }
+  return std::nullopt;
 }
 
 //------------------------------------------------------------------------------

@@ -562,10 +562,14 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   const relief::hosts::ImageFrame& frame = internal.Inputs.GetFrame();
   if (target.normals && !frame.IsWorld())
   {
-    for (vtkIdType at = 0; at < output->GetNumberOfPoints(); ++at)
-    {
-      frame.NormalToWorld(target.normals + 3 * at);
-    }
+    vtkReliefFor(0, output->GetNumberOfPoints(), 0,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType at = begin; at < end; ++at)
+        {
+          frame.NormalToWorld(target.normals + 3 * at);
+        }
+      });
   }
   shading->KeepIlluminations();
   internal.Tell(*shading);

@@ -2,7 +2,7 @@
 #include "ReliefColorLayers.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSMPTools.h"
+#include "vtkReliefThreads.h"
 #include "vtkTextureObject.h"
 
 namespace
@@ -15,7 +15,7 @@ std::vector<glm::vec3> Cover(const std::vector<relief::ColorTexture>& textures,
   const int width = grid.size[0];
   std::vector<glm::vec3> colors(
     static_cast<std::size_t>(width) * grid.size[1], glm::vec3(constant));
-  vtkSMPTools::For(0, grid.size[1],
+  vtkReliefFor(0, grid.size[1], 0,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (int y = static_cast<int>(begin); y < end; ++y)

@@ -355,8 +355,8 @@ bool ReliefFrames::RestartLater()
   later.order.resize(this->Rest.size());
   std::iota(later.order.begin(), later.order.end(), std::size_t(0));
   std::stable_sort(later.order.begin(), later.order.end(),
-    [&](std::size_t a, std::size_t b)
-    { return Sum(later.radiances[a]) > Sum(later.radiances[b]); });
+    [this](std::size_t a, std::size_t b)
+    { return Strength(*this->Rest[a].plan) > Strength(*this->Rest[b].plan); });
   later.falloffs[0] = this->Parameters->specularFalloff;
   later.falloffs[1] = this->Parameters->scatterFalloff;
   later.added = 0;
@@ -500,6 +500,18 @@ void ReliefFrames::JudgeProgress()
 }
 
 //------------------------------------------------------------------------------
+// After a frame that has failed nobody knows which layers hold what they say.
+void ReliefFrames::Forget()
+{
+  this->First.clear();
+  this->Rest.clear();
+  this->Entries.clear();
+  this->LaterSums = Later();
+  this->GatheredFrom.reset();
+  this->ComposedFrom.reset();
+}
+
+//------------------------------------------------------------------------------
 bool ReliefFrames::Update(vtkOpenGLRenderWindow* window, ReliefPasses& passes,
   const relief::HeightField& field, const relief::hosts::PreparedScene& scene,
   const Request& request)
@@ -536,11 +548,24 @@ bool ReliefFrames::Update(vtkOpenGLRenderWindow* window, ReliefPasses& passes,
   this->Classify(field);
   passes.SetScene(field, scene.Get(), request.onProcessor);
   const std::uint64_t cells = passes.GetTracedWork().cells;
-  const bool done =
-    this->UpdateFirst() && this->GatherFirst() && this->UpdateLater() && this->ComposeColors();
+  bool done = false;
+  try
+  {
+    done =
+      this->UpdateFirst() && this->GatherFirst() && this->UpdateLater() && this->ComposeColors();
+  }
+  catch (...)
+  {
+    this->Forget();
+    throw;
+  }
   if (done)
   {
     this->JudgeProgress();
+  }
+  else
+  {
+    this->Forget();
   }
   this->Done.lightsTraced = static_cast<int>(this->Traced.size());
   this->Done.cells = static_cast<std::int64_t>(passes.GetTracedWork().cells - cells);

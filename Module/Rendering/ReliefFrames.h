@@ -151,6 +151,7 @@ private:
   double GetLaterShare() const;
   bool ComposeColors();
   void JudgeProgress();
+  void Forget();
   bool TraceRows(
     const relief::LightPlan& light, const ReliefLayer& layer, int& row, double seconds);
   double GetElapsed() const;

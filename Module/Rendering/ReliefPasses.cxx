@@ -88,11 +88,12 @@ bool ReliefLayer::Allocate(
 {
   const bool fits =
     this->texture && this->grid.size[0] == newGrid.size[0] && this->grid.size[1] == newGrid.size[1];
-  this->grid = newGrid;
   if (!fits)
   {
     this->texture = NewTexture(window, newGrid, components);
   }
+  // What has no room holds nothing.
+  this->grid = this->texture ? newGrid : relief::ReliefGrid();
   return this->texture != nullptr;
 }
 

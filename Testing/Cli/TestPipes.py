@@ -241,6 +241,29 @@ class Refused(Pipes):
         self.assertEqual(result.returncode, 1)
         self.assertRegex(result.stderr.decode(), r"^reliefshade: /vsistdout/: cannot be written: [^\n]+\n$")
 
+    def test_nothing_else_is_replaced_then(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("there is no such device")
+        hills = self.hills()
+        for words in (["--shadow-mask", "old.png", "--sun", "300,20"],
+                      ["--save-scene", "old.json"]):
+            with open(self.path(words[1]), "w") as stream:
+                stream.write("before")
+            with open("/dev/full", "wb") as full:
+                code = subprocess.run([PROGRAM, hills, "-", "--quiet", *words], cwd=self.folder,
+                                      stdout=full, stderr=subprocess.PIPE, check=False).returncode
+            self.assertEqual(code, 1)
+            self.assertEqual(self.bytes(words[1]), b"before")
+
+    def test_folders_named_as_streams(self):
+        os.makedirs(self.path("vsistdin"))
+        os.makedirs(self.path("vsistdout"))
+        heights = os.path.join(self.folder, "vsistdin", "hills.asc")
+        os.rename(self.path(self.hills()), heights)
+        picture = os.path.join(self.folder, "vsistdout", "o.png")
+        self.good(heights, picture, "--quiet")
+        self.assertGreater(os.path.getsize(picture), 50)
+
     def test_terminals(self):
         hills = self.hills()
         reader, writer = pty.openpty()

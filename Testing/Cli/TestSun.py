@@ -151,6 +151,17 @@ class Sun(Case):
         other = self.plane(name=names[1])
         self.bad(2, ["would replace INPUT"], other, "--frames", frames, "--shadow-mask", "hidden.png")
 
+    def test_frames_are_of_the_first_sun(self):
+        """Whatever other lights there are, masks change with the frames."""
+        source = self.hills()
+        frames = f"2026-06-21T06:30+02:00,2026-06-21T08:30+02:00,1h{BERLIN}"
+        for k, words in enumerate((["--sun", "315,20"], ["--preset", "multidirectional"])):
+            self.good(source, "--quiet", "--frames", frames, "--shadow-mask", f"m{k}.png", *words)
+            masks = [Picture(self.path(f"m{k}_20260621T{hour}30+0200.png")).rows
+                     for hour in ("06", "07", "08")]
+            self.assertNotEqual(masks[0], masks[1])
+            self.assertNotEqual(masks[1], masks[2])
+
     @needsGdal
     def test_frames_in_bands_and_threads(self):
         """Heights that are prepared once give what they give anew, whatever the rows and threads."""

@@ -131,6 +131,14 @@ class InProcess(Case):
         self.run_(TIME="2026-06-21T15:00Z")
         self.assertEqual(self.values("o.tif"), self.shaded("p.tif", "--sun-at", "2026-06-21T15:00Z"))
 
+    def test_what_is_chosen_is_taken(self):
+        # Also where it is the default, if the light brings another one.
+        words = ["--preset", "sun-and-sky,315,45", "--env-samples", "16", "--env-sampling"]
+        spread = [entry for entry in table() if entry["option"] == "--env-sampling"][0]
+        for at, word in enumerate(spread["choices"]):
+            self.run_(LIGHT=3, ENV_SAMPLES=16, ENV_SAMPLING=at)
+            self.assertEqual(self.values("o.tif"), self.shaded("p.tif", *words, word), word)
+
     def test_colors_are_those_of_the_screen(self):
         self.run_(BASE="#ff0000", DIFFUSE="#000000", SPECULAR="#000000")
         red = self.values("o.tif")

@@ -29,20 +29,6 @@ std::string usualSun()
 }
 
 //------------------------------------------------------------------------------
-/// Intensity and colour of a light from the numbers behind its `used` first ones.
-void setPower(vtkLight* light, const std::vector<double>& numbers, std::size_t used)
-{
-  if (numbers.size() > used)
-  {
-    light->SetIntensity(numbers[used]);
-  }
-  if (numbers.size() > used + 1)
-  {
-    light->SetDiffuseColor(numbers[used + 1], numbers[used + 2], numbers[used + 3]);
-  }
-}
-
-//------------------------------------------------------------------------------
 /// Lights of the command line take the place of those of the scene's file.
 void dropLightsOfFile(Options& options)
 {
@@ -213,6 +199,19 @@ void addEnvironmentOptions(OptionParser& parser, Options& options)
 
 namespace reliefshade
 {
+
+//------------------------------------------------------------------------------
+void setPower(vtkLight* light, const std::vector<double>& numbers, std::size_t used)
+{
+  if (numbers.size() > used)
+  {
+    light->SetIntensity(numbers[used]);
+  }
+  if (numbers.size() > used + 1)
+  {
+    light->SetDiffuseColor(numbers[used + 1], numbers[used + 2], numbers[used + 3]);
+  }
+}
 
 //------------------------------------------------------------------------------
 void addLightOptions(OptionParser& parser, Options& options)

@@ -390,7 +390,8 @@ void addRunOptions(OptionParser& parser, Options& options)
   parser.Word("--shadow-mask", "FILE",
     "Writes where the relief hides the first sun, whatever the material. An 8-bit grey picture: "
     "255 in shadow, 0 in the sun, between them the share that is hidden of a sun with a width. As "
-    "OUTPUT, it has the georeference and tells where there is no data. OUTPUT may be left out",
+    "OUTPUT, it has the georeference and tells where there is no data; with --nodata-out value 0 "
+    "says that, and 1 to 255 is what 0 to 255 was. OUTPUT may be left out",
     [&options](const std::string& file) { setShadowMask(file, options); });
   parser.Flag("--statistics",
     "Prints what was read and done. To the standard output, one 'name: value' in a line",
@@ -569,6 +570,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
     throw Failure("--accuracy-report",
       "it is of one scene; --sun-at instead of --frames is expected", UsageFailure);
   }
+  putFramesFirst(options);
   nameStreams(options);
   checkNames(options);
   checkOutputOptions(options);

@@ -9,6 +9,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 namespace
@@ -27,20 +28,26 @@ using namespace reliefshade;
 }
 
 //------------------------------------------------------------------------------
-void checkInput(const NamedFile& input, const NamedFile& output)
+void checkInput(const NamedFile& input, const std::vector<NamedFile>& outputs)
 {
-  if (relief::io::IsReadFrom(input.Name, output.Name))
+  // Found when there is something to lose: a raster is opened for it.
+  std::optional<std::vector<std::string>> files;
+  for (const NamedFile& output : outputs)
   {
-    refuse(output, input, relief::io::SameFile(input.Name, output.Name));
-  }
-  std::error_code code;
-  if (std::filesystem::exists(output.Name, code)) // else there is nothing to lose
-  {
-    for (const std::string& file : relief::raster::FilesOf(input.Name))
+    if (relief::io::IsReadFrom(input.Name, output.Name))
     {
-      if (relief::io::SameFile(relief::io::FileBehind(file), output.Name))
+      refuse(output, input, relief::io::SameFile(input.Name, output.Name));
+    }
+    std::error_code code;
+    if (std::filesystem::exists(output.Name, code))
+    {
+      files = files ? files : relief::raster::FilesOf(input.Name);
+      for (const std::string& file : *files)
       {
-        refuse(output, input, false);
+        if (relief::io::SameFile(relief::io::FileBehind(file), output.Name))
+        {
+          refuse(output, input, false);
+        }
       }
     }
   }
@@ -54,18 +61,16 @@ namespace reliefshade
 //------------------------------------------------------------------------------
 void keepApart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs)
 {
-  for (auto output = outputs.begin(); output != outputs.end(); ++output)
+  for (const NamedFile& input : inputs)
   {
-    for (const NamedFile& input : inputs)
+    checkInput(input, outputs);
+  }
+  relief::io::FileNames names;
+  for (const NamedFile& output : outputs)
+  {
+    if (const auto other = names.Add(output.Name))
     {
-      checkInput(input, *output);
-    }
-    for (auto other = outputs.begin(); other != output; ++other)
-    {
-      if (relief::io::SameFile(other->Name, output->Name))
-      {
-        refuse(*output, *other, true);
-      }
+      refuse(output, outputs[*other], true);
     }
   }
 }

@@ -14,7 +14,7 @@ namespace
 using namespace reliefshade;
 
 //------------------------------------------------------------------------------
-bool writesTiff(const std::string& format)
+bool isTiffFormat(const std::string& format)
 {
   return format.empty() || format == "gtiff" || format == "cog";
 }
@@ -44,7 +44,7 @@ namespace reliefshade
 void nameStreams(Options& options)
 {
   options.StreamsOutput = isStandardOutput(options.Output);
-  if (!options.StreamsOutput && !writesTiff(options.Format))
+  if (!options.StreamsOutput && !isTiffFormat(options.Format))
   {
     throw Failure("--format",
       options.Format + " is for the standard output, /vsistdout/; of a file the extension tells",
@@ -67,7 +67,7 @@ void nameStreams(Options& options)
   if (options.StreamsOutput)
   {
     options.Output =
-      options.Streams->Reserve(writesTiff(options.Format) ? ".tif" : "." + options.Format);
+      options.Streams->Reserve(isTiffFormat(options.Format) ? ".tif" : "." + options.Format);
   }
 }
 

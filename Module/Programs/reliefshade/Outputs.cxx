@@ -237,6 +237,13 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
     files.push_back(&this->Report->GetFile());
   }
   stopIfInterrupted();
+  if (this->Given.StreamsOutput)
+  {
+    // First, while nothing else has taken its name: perhaps nobody reads it.
+    OutputFile::KeepAll({ files.front() });
+    this->Given.Streams->Send();
+    files.erase(files.begin());
+  }
   OutputFile::KeepAll(files);
 }
 

@@ -32,9 +32,9 @@ Json::Value entryOf(const parameters::Parameter& parameter)
   entry["kind"] = parameters::NameOf(parameter.Is);
   entry["unit"] = parameter.Unit;
   entry["help"] = parameter.Help;
-  entry["least"] = finite(parameter.Taken.Least);
-  entry["greatest"] = finite(parameter.Taken.Greatest);
-  entry["leastIsTaken"] = !parameter.Taken.Open;
+  entry["minimum"] = finite(parameter.Taken.Least);
+  entry["maximum"] = finite(parameter.Taken.Greatest);
+  entry["minimum_open"] = parameter.Taken.Open;
   entry["default"] = Json::Value(Json::arrayValue);
   for (int k = 0; k < parameters::Size(parameter); ++k)
   {

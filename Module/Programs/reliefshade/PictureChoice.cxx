@@ -9,6 +9,14 @@ namespace reliefshade
 
 namespace
 {
+relief::raster::GeoTiffForm tiffOf(const Options& options)
+{
+  relief::raster::GeoTiffForm form = options.Tiff;
+  form.Threads = options.Threads;
+  return form;
+}
+
+//------------------------------------------------------------------------------
 /// As the user has asked for it, where the file's format can.
 void markNoData(const Options& options, const std::string& file, bool lacksData, PictureForm& form)
 {
@@ -50,8 +58,7 @@ PictureForm formOfOutput(const Options& options, bool lacksData)
 {
   const bool isGrey = colorOf(options).empty();
   PictureForm form = usualForm(options.Output, outputType(options), isGrey, lacksData);
-  form.Tiff = options.Tiff;
-  form.Tiff.Threads = options.Threads;
+  form.Tiff = tiffOf(options);
   if (options.Bands == Options::Rgba)
   {
     form.Colors = 3;
@@ -73,8 +80,7 @@ PictureForm formOfOutput(const Options& options, bool lacksData)
 PictureForm formOfMask(const Options& options, bool lacksData)
 {
   PictureForm form = usualForm(options.ShadowMask, VTK_UNSIGNED_CHAR, true, lacksData);
-  form.Tiff = options.Tiff;
-  form.Tiff.Threads = options.Threads;
+  form.Tiff = tiffOf(options);
   markNoData(options, options.ShadowMask, lacksData, form);
   return form;
 }
@@ -86,8 +92,7 @@ PictureForm formOfLayer(const Options& options, int components)
   form.ScalarType = VTK_FLOAT;
   form.Colors = components;
   form.Alpha = false;
-  form.Tiff = options.Tiff;
-  form.Tiff.Threads = options.Threads;
+  form.Tiff = tiffOf(options);
   return form;
 }
 

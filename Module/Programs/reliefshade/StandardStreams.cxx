@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "FileGuard.h"
 #include "MessageLog.h"
+#include "SameFile.h"
 #include "TemporaryFile.h"
 #include "Watch.h"
 
@@ -199,6 +200,15 @@ bool names(const std::string& word, const char* file)
 }
 
 //------------------------------------------------------------------------------
+/// Whether a name leads to one of GDAL's streams, perhaps through others of its file systems, and
+/// not to a file in a folder of that name.
+bool goesThrough(const std::string& name, const std::string& stream)
+{
+  const std::size_t at = name.find(stream);
+  return at != std::string::npos && at < relief::io::BeginOfPath(name);
+}
+
+//------------------------------------------------------------------------------
 /// A message with the streams' names in place of their files'.
 std::string withStreamNames(const std::string& text)
 {
@@ -233,13 +243,13 @@ namespace reliefshade
 //------------------------------------------------------------------------------
 bool isStandardInput(const std::string& name)
 {
-  return name == "-" || name == "/dev/stdin" || name.find(InputName) != std::string::npos;
+  return name == "-" || name == "/dev/stdin" || goesThrough(name, InputName);
 }
 
 //------------------------------------------------------------------------------
 bool isStandardOutput(const std::string& name)
 {
-  return name == "-" || name == "/dev/stdout" || name.find(OutputName) != std::string::npos;
+  return name == "-" || name == "/dev/stdout" || goesThrough(name, OutputName);
 }
 
 //------------------------------------------------------------------------------

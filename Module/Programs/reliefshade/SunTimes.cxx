@@ -3,10 +3,17 @@
 
 #include "Failure.h"
 #include "FileGuard.h"
+#include "LightOptions.h"
 #include "MapPlace.h"
 #include "OptionParser.h"
 #include "Options.h"
+
+#include "vtkCollectionRange.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
 #include "vtkReliefAngles.h"
+#include "vtkReliefScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,14 +65,7 @@ TimedSun toSun(const std::string& option, const std::vector<std::string>& words,
     sun.Place = { numbers[0], numbers[1] };
   }
   sun.Light = options.Scene->AddSun(0.0, 45.0); // for the time being
-  if (numbers.size() > 2)
-  {
-    sun.Light->SetIntensity(numbers[2]);
-  }
-  if (numbers.size() > 3)
-  {
-    sun.Light->SetDiffuseColor(numbers[3], numbers[4], numbers[5]);
-  }
+  setPower(sun.Light, numbers, 2);
   return sun;
 }
 
@@ -246,6 +246,28 @@ std::string SunClock::TellNight() const
          << " of " << count << " frames" << meaning;
   }
   return text.str();
+}
+
+//------------------------------------------------------------------------------
+void putFramesFirst(Options& options)
+{
+  if (options.Times.Frames)
+  {
+    vtkNew<vtkLightCollection> lights;
+    lights->AddItem(options.Times.Frames->Sun.Light);
+    for (vtkLight* light : vtk::Range(options.Scene->GetLights()))
+    {
+      if (light != options.Times.Frames->Sun.Light)
+      {
+        lights->AddItem(light);
+      }
+    }
+    options.Scene->RemoveAllLights();
+    for (vtkLight* light : vtk::Range(lights.Get()))
+    {
+      options.Scene->AddLight(light);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -84,6 +84,10 @@ private:
   double Convergence = 0.0;
 };
 
+/// Puts the sun of frames before all other lights: layers of the first light and the first sun are
+/// of it.
+void putFramesFirst(Options& options);
+
 /// How many pictures there are, at least 1.
 int frameCount(const Options& options);
 

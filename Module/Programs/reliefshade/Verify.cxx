@@ -42,7 +42,8 @@ std::string verify(vtkImageReliefShading* shading, const Options& options, bool 
   {
     throw Failure(options.Input,
       "--verify: the illumination errs by " + error + " at " + place + ", " + promise +
-        " is promised; nothing was written. This is a mistake of the program: please report it");
+        " is promised; nothing of it was written. This is a mistake of the program: please report "
+        "it");
   }
   const vtkTypeInt64 count = verification->GetNumberOfRetracedSamples();
   const vtkTypeInt64 grazing = verification->GetNumberOfGrazingSamples();
@@ -50,7 +51,8 @@ std::string verify(vtkImageReliefShading* shading, const Options& options, bool 
     std::to_string(options.VerifiedSeed) + ": largest error " + error +
     (count > 0 ? " at " + place : "") + ", promised " + promise +
     (grazing > 0 ? "; rounding of the heights explains " + std::to_string(grazing) : "");
-  std::cout << "verified: " << text << std::endl;
+  std::cout << "verified: " << (frameCount(options) > 1 ? options.Output + ": " : std::string())
+            << text << std::endl;
   return text;
 }
 

@@ -292,10 +292,6 @@ void run(Options& options)
   watch(shading, showsBar(options));
   const ShadingReport report =
     shadeFrames(options, files, clock, raster, std::move(outputs), mapScene, shading);
-  if (options.StreamsOutput)
-  {
-    options.Streams->Send();
-  }
   printWarnings(options);
   if (options.Statistics)
   {

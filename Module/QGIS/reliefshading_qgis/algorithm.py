@@ -9,7 +9,8 @@ from qgis.core import (
     QgsProcessingParameterBoolean, QgsProcessingParameterColor, QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum, QgsProcessingParameterNumber,
     QgsProcessingParameterRange, QgsProcessingParameterRasterDestination,
-    QgsProcessingParameterRasterLayer, QgsProcessingParameterString, QgsSingleBandGrayRenderer)
+    QgsProcessingParameterRasterLayer, QgsProcessingParameterString, QgsProviderRegistry,
+    QgsSingleBandGrayRenderer)
 from qgis.PyQt.QtGui import QPainter
 
 from . import program
@@ -17,6 +18,8 @@ from . import program
 # Where light comes from, and what the program calls it.
 LIGHTS = ("One sun", "Four suns (multidirectional)", "Sky dome", "Sun and sky")
 NAMED_BY_GROUP = ("backlight", "environment", "highlights")
+# Presets of lights have their own.
+OF_LIGHTS = ("environment", "lights")
 ADVANCED = ("accuracy", "backlight", "environment")
 
 
@@ -37,7 +40,7 @@ def definitionOf(entry):
     label += " (degrees)" if entry["unit"] == "degrees" else ""
     if kind == "choice":
         definition = QgsProcessingParameterEnum(
-            name, label, options=entry["choices"], defaultValue=int(entry["default"][0]))
+            name, label, options=entry["choices"], optional=True)
     elif kind == "color":
         definition = QgsProcessingParameterColor(name, label, opacityEnabled=False, optional=True)
     elif kind == "range":
@@ -48,12 +51,11 @@ def definitionOf(entry):
         definition = QgsProcessingParameterNumber(
             name, label, optional=True,
             type=QgsProcessingParameterNumber.Integer if whole else QgsProcessingParameterNumber.Double)
-        if entry["least"] is not None:
-            definition.setMinimum(entry["least"])
-        if entry["greatest"] is not None:
-            definition.setMaximum(entry["greatest"])
-    told = "" if kind == "choice" else f" Left empty: {usual(entry)}."
-    definition.setHelp(entry["help"] + "." + told)
+        if entry["minimum"] is not None:
+            definition.setMinimum(entry["minimum"])
+        if entry["maximum"] is not None:
+            definition.setMaximum(entry["maximum"])
+    definition.setHelp(f"{entry['help']}. Left empty: {usual(entry)}.")
     if entry["group"] in ADVANCED:
         definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
     return definition
@@ -65,7 +67,9 @@ def usual(entry):
         return "chosen automatically"
     if entry["offUntilGiven"]:
         return "none"
-    return ", ".join("infinite" if number is None else f"{number:g}" for number in entry["default"])
+    told = entry["choices"][int(entry["default"][0])] if entry["choices"] else ", ".join(
+        "infinite" if number is None else f"{number:g}" for number in entry["default"])
+    return told + (", or what the light brings" if entry["group"] in OF_LIGHTS else "")
 
 
 def nameOf(entry):
@@ -189,7 +193,9 @@ class Shading(QgsProcessingAlgorithm):
             raise QgsProcessingException(
                 f"'{layer.name()}' is a layer of the provider {layer.providerType()}, a raster file "
                 "is expected; export it as a GeoTIFF first")
-        return layer.source()
+        # What QGIS adds to a file's name is its own; subdatasets have names of GDAL's.
+        parts = QgsProviderRegistry.instance().decodeUri("gdal", layer.source())
+        return layer.source() if parts.get("layerName") else parts.get("path") or layer.source()
 
     def lightWords(self, parameters, context):
         light = self.parameterAsEnum(parameters, self.LIGHT, context)
@@ -211,8 +217,7 @@ class Shading(QgsProcessingAlgorithm):
         if given is None or given == "":
             return None
         if kind == "choice":
-            at = self.parameterAsEnum(parameters, name, context)
-            return None if at == int(entry["default"][0]) else entry["choices"][at]
+            return entry["choices"][self.parameterAsEnum(parameters, name, context)]
         if kind == "color":
             color = self.parameterAsColor(parameters, name, context)
             if not color.isValid():

@@ -27,6 +27,12 @@ class Provider(QgsProcessingProvider):
     def unload(self):
         ProcessingConfig.removeSetting(SETTING)
 
+    def defaultRasterFileExtension(self):
+        return "tif"
+
+    def supportedOutputRasterLayerExtensions(self):
+        return ["tif", "png", "jpg"]
+
     def loadAlgorithms(self):
         self.addAlgorithm(Shading())
 

@@ -56,8 +56,7 @@ def textOf(file):
 
 
 def run(words, feedback):
-    """Runs the program and passes on how far it is; a Failure has its message. Returns False if it
-    was canceled."""
+    """Runs the program; a Failure has its message. Returns False if it was canceled."""
     path = find()
     feedback.pushCommandInfo(subprocess.list2cmdline([path, *words]))
     # Files, since nobody empties a pipe while the program runs.
