@@ -359,11 +359,48 @@ void SmoothHeightSteps(
 }
 
 //------------------------------------------------------------------------------
+// Whether there are more heights than that: most fields tell it by a few of their samples.
+template <class T>
+bool HasMoreLevels(const HeightSource<T>& source, std::size_t most)
+{
+  const Reader<T> reader(source);
+  const int apart = Apart(source.columns, source.rows);
+  std::vector<double> levels; // in order
+  for (int j = 0; j < source.rows; j += apart)
+  {
+    double last = std::numeric_limits<double>::quiet_NaN();
+    for (int i = 0; i < source.columns; i += apart)
+    {
+      double height = 0.0;
+      if (!reader.Read(i, j, height) || height == last)
+      {
+        continue;
+      }
+      last = height;
+      const auto place = std::lower_bound(levels.begin(), levels.end(), height);
+      if (place == levels.end() || *place != height)
+      {
+        levels.insert(place, height);
+      }
+      if (levels.size() > most)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 template <class T>
 bool ShowsTerraces(const HeightSource<T>& source)
 {
+  if (HasMoreLevels(source, FewLevels))
+  {
+    return false;
+  }
   const HeightSteps steps = FindHeightSteps(source);
-  if (steps.levels < 3 || steps.levels > FewLevels || steps.samples <= ManySamples)
+  if (steps.levels < 3 || steps.samples <= ManySamples)
   {
     return false;
   }
