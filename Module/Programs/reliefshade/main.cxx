@@ -30,9 +30,9 @@
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <memory>
-#include <exception>
 #include <new>
 #include <string>
 #include <utility>
