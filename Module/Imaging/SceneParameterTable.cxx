@@ -241,6 +241,13 @@ std::vector<Parameter> SceneRows()
       .OnCommandLine("--steps", "N")
       .CountsWith("Integrator", S::FixedStep)
       .Means("Points along a ray of fixed-step"),
+    Single(Kind::Choice, "Response", &S::GetResponse, &S::SetResponse)
+      .Among({ { "Illumination", "", "" }, { "Combined", "", "" }, { "Igor", "", "" } })
+      .Usually(S::Illumination)
+      .Field(Group::Lights, "Response")
+      .OnCommandLine("--response")
+      .Means("How a surface answers light: by the share that reaches it; or darker the steeper it "
+             "is and the less light comes, or the farther it faces away on the map"),
     Single(Kind::Count, "NumberOfSunSamples", &S::GetNumberOfSunSamples, &S::SetNumberOfSunSamples)
       .Takes(Between(1.0, 4096.0))
       .Usually(16.0)

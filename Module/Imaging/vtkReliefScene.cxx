@@ -92,6 +92,11 @@ void vtkReliefScene::SetNumberOfSteps(int value)
   parameters::Set(this, this->NumberOfSteps, value, "NumberOfSteps");
 }
 
+void vtkReliefScene::SetResponse(int response)
+{
+  parameters::Set(this, this->Response, response, "Response");
+}
+
 void vtkReliefScene::SetNumberOfSunSamples(int value)
 {
   parameters::Set(this, this->NumberOfSunSamples, value, "NumberOfSunSamples");
@@ -335,6 +340,34 @@ void vtkReliefScene::SetLightsToSunAndSky(double azimuth, double altitude)
   sky->SetSamplingToImportance();
   sky->SetIntensity(0.2);
   this->SetEnvironment(sky);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetLightsToCombined(double azimuth, double altitude)
+{
+  if (const auto refusal = parameters::CheckSun(azimuth, altitude, 0.0))
+  {
+    vtkErrorMacro("SetLightsToCombined: " << refusal->Reason() << "; the lights are kept.");
+    return;
+  }
+  this->RemoveAllLights();
+  this->SetEnvironment(nullptr);
+  this->AddSun(azimuth, altitude);
+  this->SetResponseToCombined();
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefScene::SetLightsToIgor(double azimuth)
+{
+  if (const auto refusal = parameters::CheckSun(azimuth, parameters::UsualAltitude, 0.0))
+  {
+    vtkErrorMacro("SetLightsToIgor: " << refusal->Reason() << "; the lights are kept.");
+    return;
+  }
+  this->RemoveAllLights();
+  this->SetEnvironment(nullptr);
+  this->AddSun(azimuth, parameters::UsualAltitude);
+  this->SetResponseToIgor();
 }
 
 //------------------------------------------------------------------------------

@@ -154,6 +154,18 @@ public:
 
   ///@{
   /**
+   * One white sun of intensity 1, and the Response Combined or Igor: level ground is white, and the
+   * steeper a slope and the farther from the light, the darker. As gdaldem's options -combined and
+   * -igor have them, but that shadows count in the first. The azimuth is finite, the altitude in
+   * [-90, 90] degrees; otherwise an error is reported and nothing is changed. Replaces all lights
+   * and the environment; the other presets leave Response as it is.
+   */
+  void SetLightsToCombined(double azimuth, double altitude);
+  void SetLightsToIgor(double azimuth);
+  ///@}
+
+  ///@{
+  /**
    * What heights are multiplied by. Unit of the spacing per unit of the heights, finite; negative
    * values turn the relief inside out. Default: 1.
    */
@@ -242,6 +254,29 @@ public:
   vtkGetMacro(NumberOfSteps, int);
   ///@}
 
+  enum Responses
+  {
+    Illumination = 0,
+    Combined = 1,
+    Igor = 2
+  };
+
+  ///@{
+  /**
+   * How a surface answers a light, in the diffuse and the scatter term. Illumination: by the share
+   * d of its light that reaches it. Combined: the encoded grey is 1 - s a (2 / pi)^2, s the slope
+   * and a the angle whose cosine is the lesser of d and n * l, both in radians, after GDAL's
+   * combined shading, which knows no shadow. Igor: it is 1 - s b 2 / pi^2, b the angle on the map
+   * between where the ground falls to and the light, after I. Maerevoet's shading; no ray is
+   * traced. The layers do not depend on it. Default: Illumination.
+   */
+  void SetResponse(int response);
+  vtkGetMacro(Response, int);
+  void SetResponseToIllumination() { this->SetResponse(Illumination); }
+  void SetResponseToCombined() { this->SetResponse(Combined); }
+  void SetResponseToIgor() { this->SetResponse(Igor); }
+  ///@}
+
   ///@{
   /**
    * Takes everything of another scene. DeepCopy makes a new material, new lights (with their
@@ -272,6 +307,7 @@ protected:
   int Integrator{};
   double Tolerance{};
   int NumberOfSteps{};
+  int Response{};
   int NumberOfSunSamples{};
   double Exposure{};
   bool AutomaticExposure{};

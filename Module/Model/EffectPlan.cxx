@@ -37,15 +37,17 @@ EffectPlan PlanEffects(const HeightField& field, const Scene& scene)
     // Where all light is scattered forward, a sun from which none comes this way gives nothing.
     const bool neverScattered = one.directional && kf == 1.0 &&
       f64::reliefForwardScatter(scene.scatterFalloff, light.vector) == 0.0;
-    one.trace = one.lit && plan.matte && !one.dark && !neverScattered;
-    one.shows = one.trace || (one.lit && plan.mirror);
+    const bool answers = scene.response != f64::RELIEF_ILLUMINATION;
+    one.matte = one.lit && plan.matte && (answers || !one.dark) && !neverScattered;
+    one.trace = one.matte && !one.dark && scene.response != f64::RELIEF_IGOR;
+    one.shows = one.matte || (one.lit && plan.mirror);
     if (scene.integrator == Integrator::FixedStep && one.directional)
     {
       one.light =
         OnBoundingSphere(light, field.GetField().heights, field.GetBottom(), field.GetTop());
     }
-    plan.diffuse = plan.diffuse || (one.trace && kf < 1.0);
-    plan.scatter = plan.scatter || (one.trace && kf > 0.0);
+    plan.diffuse = plan.diffuse || (one.matte && kf < 1.0);
+    plan.scatter = plan.scatter || (one.matte && kf > 0.0);
     plan.specular = plan.specular || (one.lit && plan.mirror);
     plan.shareSum += one.lit ? one.share * light.open : 0.0;
     all += one.lit ? one.share : 0.0f;
@@ -59,12 +61,13 @@ EffectPlan PlanEffects(const HeightField& field, const Scene& scene)
 int FindEffects(const Scene& scene, const EffectPlan& plan, bool traced, bool normals)
 {
   const bool illuminates = plan.diffuse || plan.scatter;
-  const bool illumination = illuminates || traced;
+  const bool answers = illuminates && scene.response != f64::RELIEF_ILLUMINATION;
+  const bool illumination = (illuminates && scene.response != f64::RELIEF_IGOR) || traced;
   const bool offset = illumination && scene.medium.offset == f64::RELIEF_SURFACE_NORMAL;
   int effects = 0;
   auto add = [&](bool wanted, Effect effect) { effects |= wanted ? effect : 0; };
   add(illumination, IlluminationEffect);
-  add(plan.specular || offset || normals, NormalsEffect);
+  add(plan.specular || answers || offset || normals, NormalsEffect);
   add(plan.specular, SpecularEffect);
   add(plan.scatter, ScatterEffect);
   add(scene.specularCoefficient < 1.0 && !scene.baseTextures.empty(), BaseTextureEffect);

@@ -33,7 +33,8 @@ struct LightPlan
   bool lit;           ///< it is not black
   bool dark;          ///< its illumination is 0 everywhere
   bool shows;         ///< it brightens something
-  bool trace;         ///< its illumination shows and is not known to be 0
+  bool matte;         ///< the surface's answer to it shows and is not known to be 0
+  bool trace;         ///< that answer depends on its illumination, which is not known to be 0
 };
 
 /// Which effects a scene calls for, and what it wants of each of its lights, in their order.

@@ -23,7 +23,7 @@ bool IlluminationKey::operator==(const IlluminationKey& other) const
 {
   return this->field == other.field && this->vector == other.vector &&
     this->positional == other.positional && this->steps == other.steps &&
-    Parts(this->medium) == Parts(other.medium);
+    this->response == other.response && Parts(this->medium) == Parts(other.medium);
 }
 
 IlluminationKey MakeIlluminationKey(std::uint64_t field, const Scene& scene, const LightPlan& light)

@@ -20,7 +20,8 @@ struct IlluminationKey
   glm::dvec3 vector = glm::dvec3(0.0); ///< of the light
   bool positional = false;
   f64::ReliefMedium medium = {};
-  int steps = 0; ///< of FixedStep, 0 for Exact
+  int steps = 0;    ///< of FixedStep, 0 for Exact
+  int response = 0; ///< where what stands for d is kept in its place
 
   bool operator==(const IlluminationKey& other) const;
   bool operator!=(const IlluminationKey& other) const { return !(*this == other); }

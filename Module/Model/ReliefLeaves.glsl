@@ -225,6 +225,59 @@ RELIEF_FN real reliefFalloffOf(RELIEF_SAME lo, RELIEF_SAME hi, RELIEF_SAME power
   return power == 0.0f ? one : power == 1.0f ? share : pow(share, reliefReal(power));
 }
 
+// sRGB to linear, IEC 61966-2-1, of a code from 0 to 1.
+RELIEF_FN real reliefDecodeOf(real code)
+{
+  real linear = reliefDivide(code, reliefReal(12.92f));
+  // The same 0.055 below and above, so that 1 stays 1.
+  real foot = reliefReal(0.055f);
+  real base = reliefDivide(reliefAdd(code, foot), reliefAdd(reliefReal(1.0f), foot));
+  return reliefSelect(
+    reliefAtMost(code, reliefReal(0.04045f)), linear, pow(base, reliefReal(2.4f)));
+}
+
+//-------------------------------------------------------------------------------------------------
+// Cartographers' answers of a surface to light, which stand in the place of d: bright where it is level,
+// the darker the steeper it is and the farther away light comes from.
+
+// `whole` is the share of black that one unit of both angles gives, in codes of sRGB.
+RELIEF_FN real reliefSlopeResponse(
+  real away, real nx, real ny, real nz, RELIEF_SAME whole)
+{
+  real squares = reliefMultiplyAdd(ny, ny, reliefMultiply(nx, nx));
+  real slope = atan(reliefDivide(sqrt(squares), nz));
+  real shade = reliefMultiply(reliefMultiply(away, slope), reliefReal(whole));
+  return reliefDecodeOf(max(reliefSubtract(reliefReal(1.0f), shade), reliefReal(0.0f)));
+}
+
+RELIEF_FN real reliefAngleOf(real cosine)
+{
+  return acos(max(min(cosine, reliefReal(1.0f)), reliefReal(-1.0f)));
+}
+
+// Slope times the angle at which light comes in, that of a hillshade or, in shadow, of d: GDAL's combined
+// shading, there with the cosine alone. (2 / pi)^2.
+RELIEF_FN real reliefCombinedResponse(
+  real d, real nx, real ny, real nz, real lx, real ly, real lz)
+{
+  real level = reliefMultiplyAdd(ny, ly, reliefMultiply(nx, lx));
+  real cosine = reliefMultiplyAdd(nz, lz, level);
+  return reliefSlopeResponse(reliefAngleOf(min(d, cosine)), nx, ny, nz, 0.40528473f);
+}
+
+// Slope times the angle on the map between where the ground falls to and the light: I. Maerevoet's shading,
+// as in GDAL. Nothing is behind anything. 2 / pi^2.
+RELIEF_FN real reliefIgorResponse(real nx, real ny, real nz, real lx, real ly)
+{
+  real level = reliefMultiplyAdd(ny, ly, reliefMultiply(nx, lx));
+  real falls = reliefMultiplyAdd(ny, ny, reliefMultiply(nx, nx));
+  real leans = reliefMultiplyAdd(ly, ly, reliefMultiply(lx, lx));
+  real size = sqrt(reliefMultiply(falls, leans));
+  RELIEF_BOOL aside = reliefLess(reliefReal(0.0f), size);
+  real cosine = reliefSelect(aside, reliefDivide(level, size), reliefReal(1.0f));
+  return reliefSlopeResponse(reliefAngleOf(cosine), nx, ny, nz, 0.20264237f);
+}
+
 // What of a light goes straight through, is scattered toward the eye and is mirrored: its shares in the
 // terms of the integrated equation (sections 3.5 and 4.3.7).
 RELIEF_FN real reliefDiffuseShare(RELIEF_SAME ks, RELIEF_SAME kf, real d)

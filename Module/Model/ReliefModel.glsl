@@ -29,6 +29,11 @@ const int RELIEF_TANGENT_PLANE = 2;
 const int RELIEF_RECIPROCAL = 0;
 const int RELIEF_EXPONENTIAL = 1;
 
+// How a surface answers a light.
+const int RELIEF_ILLUMINATION = 0; // by d
+const int RELIEF_COMBINED = 1;     // by slope and d
+const int RELIEF_IGOR = 2;         // by slope and aspect
+
 // The falloff controls of section 4.3.6.
 struct ReliefFalloff
 {
@@ -81,6 +86,20 @@ RELIEF_FN real reliefForwardScatter(ReliefFalloff falloff, real3 l)
   return reliefFalloff(falloff, -l.z);
 }
 
+// What stands in the place of d in the diffuse and scatter terms. For RELIEF_IGOR nothing looks at d.
+RELIEF_FN real reliefResponse(int response, real d, real3 n, real3 l)
+{
+  if (response == RELIEF_COMBINED)
+  {
+    return reliefCombinedResponse(d, n.x, n.y, n.z, l.x, l.y, l.z);
+  }
+  if (response == RELIEF_IGOR)
+  {
+    return reliefIgorResponse(n.x, n.y, n.z, l.x, l.y);
+  }
+  return d;
+}
+
 // The four terms of the integrated equation (sections 3.5 and 4.3.7). `light` is the light's colour
 // times its intensity times its weight; the colour of a sample is the base and, summed over the
 // lights, the three others.
@@ -127,6 +146,5 @@ RELIEF_FN real reliefEncode(real linear)
 // sRGB to linear, the inverse on [0, 1].
 RELIEF_FN real reliefDecode(real encoded)
 {
-  real c = clamp(encoded, real(0.0f), real(1.0f));
-  return c <= 0.04045f ? c / 12.92f : pow((c + 0.055f) / (real(1.0f) + 0.055f), real(2.4f));
+  return reliefDecodeOf(clamp(encoded, real(0.0f), real(1.0f)));
 }

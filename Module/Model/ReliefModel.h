@@ -31,6 +31,8 @@
 
 #define RELIEF_USING                                                                               \
   using std::abs;                                                                                  \
+  using std::acos;                                                                                 \
+  using std::atan;                                                                                 \
   using std::ceil;                                                                                 \
   using std::clamp;                                                                                \
   using std::exp;                                                                                  \

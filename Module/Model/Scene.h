@@ -35,6 +35,7 @@ struct Scene
   f64::ReliefFalloff scatterFalloff = { 0.0, 1.0, 1.0 };
   f64::ReliefMedium medium = { 1.0, f64::RELIEF_VERTICAL, f64::RELIEF_RECIPROCAL, 1.0, false, 0.0,
     0.0 };
+  int response = f64::RELIEF_ILLUMINATION;
   std::vector<Light> lights;
   /// The directions of the first sun's disc, for the layer of its shadow alone; empty without a
   /// sun.

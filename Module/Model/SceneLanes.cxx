@@ -152,6 +152,13 @@ HWY_INLINE Vector NormalAt(const SceneTile& tile, int axis, int at)
   return hn::Load(Tag(), tile.normal[axis].values + at);
 }
 
+// Toward a light, along one axis.
+HWY_INLINE Vector TowardAt(const LightTerms& light, const SceneTile& tile, int axis, int at)
+{
+  return light.directional ? hn::Set(Tag(), light.vector[axis])
+                           : hn::Load(Tag(), tile.toLight[axis].values + at);
+}
+
 // The shares of light that are mirrored toward the eye.
 HWY_INLINE void FindMirrored(const LightTerms& light, SceneTile& tile)
 {
@@ -160,13 +167,9 @@ HWY_INLINE void FindMirrored(const LightTerms& light, SceneTile& tile)
   const bool begins = falloff.hi > falloff.lo && falloff.power > 0.0f;
   for (int at = 0; at < SceneTile::Size; at += static_cast<int>(hn::Lanes(tag)))
   {
-    auto toward = [&](int axis)
-    {
-      return light.directional ? hn::Set(tag, light.vector[axis])
-                               : hn::Load(tag, tile.toLight[axis].values + at);
-    };
-    const Vector mirror = lanes::reliefMirrorOf(NormalAt(tile, 0, at), NormalAt(tile, 1, at),
-      NormalAt(tile, 2, at), toward(0), toward(1), toward(2));
+    const Vector mirror =
+      lanes::reliefMirrorOf(NormalAt(tile, 0, at), NormalAt(tile, 1, at), NormalAt(tile, 2, at),
+        TowardAt(light, tile, 0, at), TowardAt(light, tile, 1, at), TowardAt(light, tile, 2, at));
     Vector share = hn::Zero(tag);
     // Most samples mirror nothing toward the eye.
     if (!begins || !hn::AllTrue(tag, hn::Le(mirror, hn::Set(tag, falloff.lo))))
@@ -178,13 +181,32 @@ HWY_INLINE void FindMirrored(const LightTerms& light, SceneTile& tile)
   }
 }
 
+void AddIllumination(const LightTerms& light, SceneTile& tile)
+{
+  AddProducts(tile.d.values, light.share, light.firstIllumination, tile.illumination.values);
+}
+
+void FindResponse(int response, const LightTerms& light, SceneTile& tile)
+{
+  const Tag tag;
+  for (int at = 0; at < SceneTile::Size; at += static_cast<int>(hn::Lanes(tag)))
+  {
+    const Vector x = TowardAt(light, tile, 0, at);
+    const Vector y = TowardAt(light, tile, 1, at);
+    const Vector nx = NormalAt(tile, 0, at);
+    const Vector ny = NormalAt(tile, 1, at);
+    const Vector nz = NormalAt(tile, 2, at);
+    const Vector answer = response == f32::RELIEF_IGOR
+      ? lanes::reliefIgorResponse(nx, ny, nz, x, y)
+      : lanes::reliefCombinedResponse(
+          hn::Load(tag, tile.d.values + at), nx, ny, nz, x, y, TowardAt(light, tile, 2, at));
+    hn::Store(answer, tag, tile.d.values + at);
+  }
+}
+
 void AddTerms(const LightTerms& light, SceneTile& tile)
 {
   const Tag tag;
-  if (light.illumination)
-  {
-    AddProducts(tile.d.values, light.share, light.firstIllumination, tile.illumination.values);
-  }
   if (light.diffuse)
   {
     AddColor(light, SceneTile::Diffuse,
@@ -336,6 +358,8 @@ HWY_AFTER_NAMESPACE();
 namespace relief
 {
 HWY_EXPORT(LoadHeights);
+HWY_EXPORT(AddIllumination);
+HWY_EXPORT(FindResponse);
 HWY_EXPORT(AddTerms);
 HWY_EXPORT(RoundSums);
 HWY_EXPORT(FindNormals);
@@ -345,6 +369,16 @@ HWY_EXPORT(FindScatter);
 bool LoadHeights(const HeightView<float>& heights, bool ring, SceneTile& tile)
 {
   return HWY_DYNAMIC_DISPATCH(LoadHeights)(heights, ring, tile);
+}
+
+void AddIllumination(const LightTerms& light, SceneTile& tile)
+{
+  HWY_DYNAMIC_DISPATCH(AddIllumination)(light, tile);
+}
+
+void FindResponse(int response, const LightTerms& light, SceneTile& tile)
+{
+  HWY_DYNAMIC_DISPATCH(FindResponse)(response, light, tile);
 }
 
 void AddTerms(const LightTerms& light, SceneTile& tile)

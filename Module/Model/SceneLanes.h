@@ -38,7 +38,14 @@ struct LightTerms
 /// whether any sample has data.
 bool LoadHeights(const HeightView<float>& heights, bool ring, SceneTile& tile);
 
-/// Adds what a light gives to the sums of a tile, in which d is its own.
+/// Adds d, which is the light's own, to a tile's mean illumination.
+void AddIllumination(const LightTerms& light, SceneTile& tile);
+
+/// Puts the surface's answer to a light in the place of its d. Needs normals and, of a lamp,
+/// directions.
+void FindResponse(int response, const LightTerms& light, SceneTile& tile);
+
+/// Adds what a light gives to the sums of a tile, in which d, or what stands for it, is its own.
 void AddTerms(const LightTerms& light, SceneTile& tile);
 
 /// Rounds the sums over several lights of a term.

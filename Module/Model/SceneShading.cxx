@@ -408,7 +408,8 @@ bool SceneShading::FindWanted(const Plan& plan, bool hasScatter, SceneTile& tile
 void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile)
 {
   const bool hasScatter = plan.terms.scatter;
-  if (!plan.directional && (plan.terms.specular || hasScatter))
+  const bool answers = this->Parameters.response != f64::RELIEF_ILLUMINATION && plan.matte;
+  if (!plan.directional && (plan.terms.specular || hasScatter || answers))
   {
     FindDirections(plan.light, this->Medium, this->Heights.heights, tile);
     if (hasScatter)
@@ -429,6 +430,14 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
   if (plan.thickness)
   {
     std::copy_n(tile.r.values, SceneTile::Size, tile.thickness.values);
+  }
+  if (plan.terms.illumination)
+  {
+    AddIllumination(plan.terms, tile);
+  }
+  if (answers)
+  {
+    FindResponse(this->Parameters.response, plan.terms, tile);
   }
   AddTerms(plan.terms, tile);
 }

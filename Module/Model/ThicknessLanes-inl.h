@@ -107,6 +107,16 @@ HWY_INLINE Vector abs(Vector a)
   return hn::Abs(a);
 }
 
+HWY_INLINE Vector acos(Vector a)
+{
+  return hn::Acos(Tag(), a);
+}
+
+HWY_INLINE Vector atan(Vector a)
+{
+  return hn::Atan(Tag(), a);
+}
+
 HWY_INLINE Vector floor(Vector a)
 {
   return hn::Floor(a);

@@ -25,6 +25,9 @@ struct GeoTiffForm
   /// Cloud-optimized: tiles and overviews, in an order for reading parts from afar. It is written
   /// twice: as a file of its own beside the other first.
   bool CloudOptimized = false;
+  /// Smaller copies inside the file, each half as large as the one before, as those that are
+  /// cloud-optimized have them anyway.
+  bool Overviews = false;
   /// The value that is declared to be no data.
   std::optional<double> NoData;
   /// To compress with; 0 for one for each processor.

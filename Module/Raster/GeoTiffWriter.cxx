@@ -290,11 +290,13 @@ struct GeoTiffFile::Internals
   int WriteBlocks(int rows, const char* first, std::ptrdiff_t bytes);
   void WriteAny(int rows, const char* first, std::ptrdiff_t bytes, const io::StepWatcher& watcher);
   void Close();
+  void AddOverviews(const io::StepWatcher& watcher);
   void MakeCloudOptimized(const io::StepWatcher& watcher);
 
   std::string Name;
   std::unique_ptr<io::StagedFile> Plain; // what a cloud-optimized file is made from
   CPLStringList CloudOptions;
+  bool Overviews = false;
   int Size[2];
   int Components;
   GDALDataType Type;
@@ -380,6 +382,31 @@ void GeoTiffFile::Internals::Close()
 }
 
 //------------------------------------------------------------------------------
+/// Down to those that have room in one of a cloud-optimized file's tiles, as that has them.
+void GeoTiffFile::Internals::AddOverviews(const io::StepWatcher& watcher)
+{
+  constexpr int tile = 512;
+  std::vector<int> factors;
+  for (int factor = 2; std::max(this->Size[0], this->Size[1]) > tile * (factor / 2); factor *= 2)
+  {
+    factors.push_back(factor);
+  }
+  if (factors.empty())
+  {
+    return;
+  }
+  const DatasetPointer made(GDALDataset::Open(this->Name.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+  const bool added = made &&
+    made->BuildOverviews("AVERAGE", static_cast<int>(factors.size()), factors.data(), 0, nullptr,
+      GoOn, const_cast<io::StepWatcher*>(&watcher)) == CE_None;
+  io::Advance(watcher, 1.0);
+  if (!added)
+  {
+    throw WriteFailure(vtkErrorCode::OutOfDiskSpaceError, this->Name, "GDAL gives no reason");
+  }
+}
+
+//------------------------------------------------------------------------------
 void GeoTiffFile::Internals::MakeCloudOptimized(const io::StepWatcher& watcher)
 {
   const DatasetPointer plain(GDALDataset::Open(this->Plain->Name().c_str(), GDAL_OF_RASTER));
@@ -410,6 +437,7 @@ GeoTiffFile::GeoTiffFile(const std::string& file, const int size[2], int compone
   self.Size[1] = size[1];
   self.Components = components;
   self.Type = FileType(scalarType);
+  self.Overviews = form.Overviews && !form.CloudOptimized;
   CPLStringList options = OptionsOf(form);
   std::string name = file;
   if (form.CloudOptimized)
@@ -500,6 +528,10 @@ void GeoTiffFile::Finish(const io::StepWatcher& watcher)
   if (self.Plain && !GdalErrors::Any())
   {
     self.MakeCloudOptimized(watcher);
+  }
+  if (self.Overviews && !GdalErrors::Any())
+  {
+    self.AddOverviews(watcher);
   }
   io::Advance(watcher, 1.0);
   if (GdalErrors::Any())

@@ -222,6 +222,7 @@ void vtkReliefRasterWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bands: " << this->Bands << "\n";
   os << indent << "Compression: " << this->Compression << "\n";
   os << indent << "CloudOptimized: " << (this->CloudOptimized ? "On\n" : "Off\n");
+  os << indent << "Overviews: " << (this->Overviews ? "On\n" : "Off\n");
   os << indent << "CreationOptions:";
   for (const std::string& option : this->Internal->CreationOptions)
   {
@@ -293,6 +294,7 @@ int vtkReliefRasterWriter::RequestData(vtkInformation* vtkNotUsed(request),
   GeoTiffForm form;
   form.Compression = static_cast<GeoTiffForm::Compressions>(this->Compression);
   form.CloudOptimized = this->CloudOptimized;
+  form.Overviews = this->Overviews;
   form.CreationOptions = this->Internal->CreationOptions;
   const Job job{ this, vtkImageData::GetData(inputVector[0], 0),
     inputVector[1]->GetNumberOfInformationObjects() > 0 ? vtkImageData::GetData(inputVector[1], 0)

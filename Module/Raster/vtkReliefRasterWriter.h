@@ -130,6 +130,17 @@ public:
 
   ///@{
   /**
+   * Whether GeoTIFF has overviews: smaller copies for maps that show it from afar, each half as
+   * large as the one before, down to 512 samples along the longer side. CloudOptimized files have
+   * them anyway. Default: off.
+   */
+  vtkSetMacro(Overviews, bool);
+  vtkGetMacro(Overviews, bool);
+  vtkBooleanMacro(Overviews, bool);
+  ///@}
+
+  ///@{
+  /**
    * Creation options of GDAL's driver for GeoTIFF (COG if CloudOptimized), each as "NAME=VALUE":
    * "TILED=YES". They go before what the settings above choose. One that GDAL does not know is an
    * error, FileFormatError. Null is ignored. Default: none.
@@ -161,6 +172,7 @@ protected:
   int Bands = GIVEN;
   int Compression = USUAL_COMPRESSION;
   bool CloudOptimized = false;
+  bool Overviews = false;
 
 private:
   vtkReliefRasterWriter(const vtkReliefRasterWriter&) = delete;

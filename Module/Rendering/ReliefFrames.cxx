@@ -92,15 +92,16 @@ void ReliefFrames::Classify(const relief::HeightField& field)
   double room = this->Asked.memory / (this->Full.GetNumberOfTexels() * sizeof(float));
   for (const relief::LightPlan& light : this->Planned.lights)
   {
-    if (!light.shows || (!light.trace && !this->Sums.specular))
+    if (!light.shows || (!light.matte && !this->Sums.specular))
     {
       continue;
     }
-    const Key key = relief::MakeIlluminationKey(field.GetVersion(), *this->Parameters, light);
+    Key key = relief::MakeIlluminationKey(field.GetVersion(), *this->Parameters, light);
+    key.response = this->Parameters->response;
     // What stands for a patch of the sky, or of a sun's disc, is one of many.
-    const bool first = !light.trace ||
+    const bool first = !light.matte ||
       (light.light.weight == 1.0 && room >= 1.0 && this->First.size() < MaximumFirstLights);
-    const bool kept = light.trace && room >= 1.0;
+    const bool kept = light.matte && room >= 1.0;
     room -= kept ? 1.0 : 0.0;
     (first ? this->First : this->Rest)
       .push_back({ &light, key, kept ? this->FindEntry(key) : nullptr });

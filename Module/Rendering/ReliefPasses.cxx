@@ -172,6 +172,8 @@ relief::LightFeatures ReliefPasses::Features(const relief::LightPlan& light) con
   features.exponential = medium.attenuation == relief::f64::RELIEF_EXPONENTIAL;
   features.floor = medium.useFloor;
   features.fixedStep = this->Parameters->integrator == relief::Integrator::FixedStep;
+  features.combined = this->Parameters->response == relief::f64::RELIEF_COMBINED;
+  features.igor = this->Parameters->response == relief::f64::RELIEF_IGOR;
   return features;
 }
 
@@ -352,12 +354,12 @@ bool ReliefPasses::Trace(
     return this->TraceOnProcessor(layer, begin, end);
   }
   const relief::LightFeatures features = this->Features(light);
-  vtkOpenGLQuadHelper* quad =
-    this->UseProgram(Key("trace",
-                       { features.positional, features.surfaceNormal, features.tangentPlane,
-                         features.exponential, features.floor, features.fixedStep }),
-      layer.grid,
-      [&](const relief::FieldLayout& layout) { return relief::TraceProgram(layout, features); });
+  vtkOpenGLQuadHelper* quad = this->UseProgram(
+    Key("trace",
+      { features.positional, features.surfaceNormal, features.tangentPlane, features.exponential,
+        features.floor, features.fixedStep, features.combined, features.igor }),
+    layer.grid,
+    [&](const relief::FieldLayout& layout) { return relief::TraceProgram(layout, features); });
   if (!quad)
   {
     return false;

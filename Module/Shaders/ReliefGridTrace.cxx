@@ -41,8 +41,9 @@ double RowCost(const ReliefGrid& grid)
 bool IsSwept(
   const HeightField& field, const Scene& scene, const LightPlan& light, const ReliefGrid& grid)
 {
-  return scene.integrator == Integrator::Exact && field.GetMissingRow() &&
-    SweepThickness::Applies(scene.medium, light.light) && SweepCost(grid) <= RowCost(grid);
+  return scene.integrator == Integrator::Exact && scene.response != f64::RELIEF_IGOR &&
+    field.GetMissingRow() && SweepThickness::Applies(scene.medium, light.light) &&
+    SweepCost(grid) <= RowCost(grid);
 }
 
 }
@@ -63,7 +64,8 @@ GridTrace::GridTrace(
     this->Swept = std::make_unique<SweepThickness>(field, this->Medium, light.light);
   }
   const bool all = grid.stride[0] == 1.0 && grid.stride[1] == 1.0;
-  this->ByTiles = this->ByTiles || (all && scene.integrator == Integrator::Exact);
+  this->ByTiles = this->ByTiles ||
+    (all && scene.integrator == Integrator::Exact && scene.response != f64::RELIEF_IGOR);
 
   // Packets must have the same rays wherever the grid begins.
   const int samples = field.GetField().heights.columns;
@@ -180,6 +182,10 @@ void GridTrace::TraceTiles(int first, int last, float* d, RayCount& count) const
 // Fills a row of the grid, by packets or, point by point, by fixed steps.
 void GridTrace::TraceRow(int row, float* d, RayCount& count) const
 {
+  if (this->Parameters.response == f64::RELIEF_IGOR)
+  {
+    return; // which no ray changes
+  }
   const Field<float>& field = this->Heights.GetField();
   const f32::ReliefMedium medium = ToSingle(this->Medium);
   std::vector<float> illumination(this->Columns.size(), 0.0f);
@@ -202,6 +208,32 @@ void GridTrace::TraceRow(int row, float* d, RayCount& count) const
 }
 
 //------------------------------------------------------------------------------
+// Puts the surface's answer in the place of d.
+void GridTrace::AnswerRow(int row, float* d) const
+{
+  const Field<float>& field = this->Heights.GetField();
+  const f32::ReliefMedium medium = ToSingle(this->Medium);
+  const Light& light = this->Source.light;
+  const int j = this->Grid.SampleOf(1, row, field.heights.rows);
+  for (int k = 0; k < this->Grid.size[0]; ++k)
+  {
+    const int i = this->Columns[this->First + k];
+    if (std::isnan(field.heights.At(i, j)))
+    {
+      d[k] = 0.0f;
+      continue;
+    }
+    const glm::vec3 n = f32::reliefNormal(field, i, j);
+    glm::vec3 l = this->Source.vector;
+    if (light.positional)
+    {
+      f32::reliefRay(field, medium, i, j, n, LightFrom<float>(light, field.heights, i, j), true, l);
+    }
+    d[k] = f32::reliefResponse(this->Parameters.response, d[k], n, l);
+  }
+}
+
+//------------------------------------------------------------------------------
 void GridTrace::Trace(
   int begin, int end, float* d, const ParallelFor& parallelFor, RayCount& count) const
 {
@@ -213,6 +245,7 @@ void GridTrace::Trace(
     parts.push_back(
       this->ByTiles ? std::min(EndOfBand(this->Heights, this->Grid, next), end) : next);
   }
+  const bool answers = this->Parameters.response != f64::RELIEF_ILLUMINATION;
   std::atomic<std::uint64_t> rays{ 0 };
   std::atomic<std::uint64_t> cells{ 0 };
   parallelFor(static_cast<int>(parts.size()) - 1,
@@ -229,6 +262,11 @@ void GridTrace::Trace(
         else
         {
           this->TraceRow(parts[k], row, work);
+        }
+        for (int answered = parts[k]; answers && answered < parts[k + 1]; ++answered)
+        {
+          this->AnswerRow(
+            answered, row + static_cast<std::size_t>(answered - parts[k]) * this->Grid.size[0]);
         }
       }
       rays += work.rays;

@@ -15,9 +15,9 @@
 namespace relief
 {
 
-/// What the program for tracing draws, found on the processor: the illumination d of one light, a
-/// number for each texel of a grid. The filter's engines do it, which are far faster than the
-/// program where the processor would run that, too.
+/// What the program for tracing draws, found on the processor: the illumination d of one light, or
+/// what stands in its place, a number for each texel of a grid. The filter's engines do it, which
+/// are far faster than the program where the processor would run that, too.
 ///
 /// Suns are swept, tile by tile, while the grid takes enough of a tile's samples; other lights of a
 /// grid that takes all samples are traced by tiles as well. What else there is is traced by packets
@@ -46,6 +46,7 @@ private:
   void TraceTile(int tileColumn, int tileRow, float* d, RayCount& count) const;
   void TraceTiles(int first, int last, float* d, RayCount& count) const;
   void TraceRow(int row, float* d, RayCount& count) const;
+  void AnswerRow(int row, float* d) const;
   void FindNormals(RowRequest<float>& request, glm::vec3* normals) const;
 
   const HeightField& Heights;

@@ -49,6 +49,8 @@ void AddLight(Features& features, const LightFeatures& light)
   Add(features, "Exponential", light.exponential);
   Add(features, "Floor", light.floor);
   Add(features, "FixedStep", light.fixedStep);
+  Add(features, "Combined", light.combined);
+  Add(features, "Igor", light.igor);
 }
 
 void AddSums(Features& features, const SumFeatures& sums)
@@ -120,6 +122,7 @@ std::string TraceProgram(const FieldLayout& layout, const LightFeatures& light)
   Features features;
   AddLayout(features, layout);
   AddLight(features, light);
+  Add(features, "Normals", light.surfaceNormal || light.combined || light.igor);
   return Header + std::string(ReliefPreludeGLSL) + SelectLines(ReliefFieldGLSL, features) +
     ReliefLeavesGLSL + ReliefModelGLSL + ReliefSurfaceGLSL + ReliefSurroundingsGLSL +
     ReliefThicknessGLSL + ReliefGridGLSL + SelectLines(ReliefLightGLSL, features) +

@@ -35,6 +35,8 @@ struct LightFeatures
   bool exponential = false;
   bool floor = false;
   bool fixedStep = false;
+  bool combined = false; ///< the surface's answer stands for its illumination
+  bool igor = false;
 };
 
 /// Which sums over lights a scene needs.

@@ -136,6 +136,31 @@ class Bands(Case):
                                 1.02 * os.path.getsize(self.path("again.tif")) + 4096)
 
 
+    @needsGdalTools
+    def test_overviews(self):
+        self.wide()
+        for words in ((), ("--compress", "deflate"), ("--bands", "rgba", "--co", "TILED=YES"),
+                      ("--type", "float")):
+            self.good("wide.tif", "out.tif", "--overviews", *words)
+            self.good("wide.tif", "plain.tif", *words)
+            self.assertEqual(self.values("out.tif"), self.values("plain.tif"))
+            band = self.info("out.tif")["bands"][0]
+            self.assertEqual([level["size"] for level in band["overviews"]],
+                             [[1500, 751], [750, 376], [375, 188]])
+            self.assertNotIn("overviews", self.info("plain.tif")["bands"][0])
+            self.tool("gdaladdo", "-q", "-r", "average", "plain.tif", 2, 4, 8)
+            for level in range(3):
+                copies = [self.tool("gdal_translate", "-q", "-oo", "OVERVIEW_LEVEL=%d" % level, name,
+                                    "copy.tif") or self.values("copy.tif")
+                          for name in ("out.tif", "plain.tif")]
+                self.assertEqual(*copies)
+            self.assertEqual(sorted(os.listdir(self.folder)).count("out.tif.ovr"), 0)
+        # A small picture needs none, and other formats have none.
+        self.hills()
+        self.good("hills.asc", "out.tif", "--overviews")
+        self.assertNotIn("overviews", self.info("out.tif")["bands"][0])
+        self.bad(2, ["--overviews", "TIFF"], "hills.asc", "out.png", "--overviews")
+
     @unittest.skipIf(sys.platform == "win32", "no limits on files")
     @needsGdalTools
     def test_a_disk_that_is_full_on_the_way(self):

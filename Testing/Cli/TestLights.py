@@ -5,9 +5,13 @@ import math
 import os
 import unittest
 
-from Reliefshade import Case
+from Reliefshade import JACKSBORO, Case
 
 WHITE, BLACK = (255, 255, 255), (0, 0, 0)
+
+
+def encoded(linear):
+    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
 
 
 class Lights(Case):
@@ -28,8 +32,51 @@ class Lights(Case):
         self.assertGreater(sun[0], sun[2])  # the sun is reddened, the sky blue
         self.assertTrue(all(b > s for s, b in zip(sun[:3], both)))
         self.assertEqual(both, self.shade("plane.asc", "--preset", "sun-and-sky,315,45")[4, 4])
+        for level in ("combined", "combined,20,5", "igor", "igor,100"):
+            self.assertColour([1] * 3, "plane.asc", "--preset", level)
+        self.assertColour([0.5] * 3, "plane.asc", "--preset", "combined,315,30", "--response", "illumination")
         low = self.shade("plane.asc", "--preset", "sun-and-sky,100,10")[4, 4]
         self.assertLess(low[0], both[0])
+
+    def gdaldem(self, *words):
+        """A hillshade's codes but for those of the border, which needs neighbours on each side."""
+        self.tool("gdaldem", "hillshade", "-q", "-alg", "ZevenbergenThorne", *words,
+                  self.metric(), "hillshade.tif")
+        return self.inside(self.values("hillshade.tif"))
+
+    def metric(self):
+        """Real terrain as if it were in metres, with squares for samples."""
+        if not os.path.exists(self.path("metric.tif")):
+            self.tool("gdal_translate", "-q", "-a_srs", "EPSG:32616", "-a_ullr", "500000", "4030960",
+                      "536270", "4000000", JACKSBORO, "metric.tif")
+        return "metric.tif"
+
+    @staticmethod
+    def inside(values, width=403):
+        rows = [values[begin:begin + width] for begin in range(0, len(values), width)]
+        return [value for row in rows[1:-1] for value in row[1:-1]]
+
+    def shaded(self, *words):
+        self.good(self.metric(), "shaded.tif", *words, "--type", "float", "--bands", "grey")
+        return [encoded(linear) for linear in self.inside(self.values("shaded.tif"))]
+
+    def test_igor_is_that_of_gdaldem(self):
+        for words, theirs in ((["--preset", "igor"], ["-az", "315"]),
+                              (["--preset", "igor,20"], ["-az", "20"]),
+                              (["--preset", "igor", "--height-scale", "4"], ["-z", "4"])):
+            for ours, code in zip(self.shaded(*words), self.gdaldem("-igor", *theirs)):
+                self.assertLess(abs(255 * ours - code), 0.53, words)
+        self.assertEqual(self.statistics(self.metric(), "--preset", "igor")["rays-traced"], "0")
+
+    def test_combined_is_that_of_gdaldem_with_shadows(self):
+        for angles in ((315, 45), (100, 20)):
+            # Of combined shading gdaldem keeps 0 for no data.
+            ours = [1 + 254 * code for code in self.shaded(
+                "--preset", "combined,{},{}".format(*angles), "--height-scale", "3")]
+            theirs = self.gdaldem("-combined", "-z", "3", "-az", str(angles[0]), "-alt", str(angles[1]))
+            # d is the cosine but where ground is in the way.
+            self.assertLess(max(a - b for a, b in zip(ours, theirs)), 0.52)
+            self.assertLess(sum(b - a for a, b in zip(ours, theirs)) / len(ours), 6)
 
     def test_presets_add_to_suns(self):
         words = ("--diffuse", "0.25,0.25,0.25", "--sun", "0,90,0.5")

@@ -18,12 +18,12 @@ OPTIONS = """
     --env-intensity --env-mirror --env-radius --env-rotation --env-samples --env-sampling --env-tilt --floor
     --exposure --format --frames --height-scale --help --help-all --integrator --kf --ks --layers --mask --memory-limit --nodata
     --nodata-out
-    --offset --parameters --part --point --preset --quiet --refraction --save-scene --scatter-power --scatter-range --scene
+    --offset --overviews --parameters --part --point --preset --quiet --refraction --save-scene --response --scatter-power --scatter-range --scene
     --smooth-steps --spacing --specular --specular-power --specular-range --specular-texture
     --shadow-mask --statistics --steps --sun --sun-at --sun-diameter --sun-samples --texture --threads --tint --tolerance --type --verify --version
 """.split()
 WITHOUT_DEFAULT = """
-    --accuracy-report --base-texture --co --degrees --env --env-mirror --frames --help --help-all --layers --mask --parameters --point --preset --quiet
+    --accuracy-report --base-texture --co --degrees --env --env-mirror --frames --help --help-all --layers --mask --overviews --parameters --point --preset --quiet
     --save-scene --scene --shadow-mask --smooth-steps --specular-texture --statistics --sun --texture --tint --version
 """.split()
 

@@ -161,6 +161,25 @@ int TestReliefScene(int, char*[])
   CHECK_NEAR(real->GetPosition()[2], std::sin(vtkMath::RadiansFromDegrees(20.0)), 1e-15);
   CHECK(real->GetDiffuseColor()[0] > real->GetDiffuseColor()[2]);
 
+  scene->SetLightsToCombined(200.0, 20.0);
+  CHECK(changed() && scene->GetLights()->GetNumberOfItems() == 1 && !scene->GetEnvironment());
+  CHECK(scene->GetResponse() == vtkReliefScene::Combined);
+  scene->SetLightsToIgor(200.0);
+  CHECK(changed() && scene->GetResponse() == vtkReliefScene::Igor);
+  {
+    MessageKeeper refused(scene);
+    scene->SetLightsToCombined(200.0, 91.0);
+    CHECK(refused.OneError("91"));
+    scene->SetLightsToIgor(nan);
+    CHECK(refused.OneError("nan"));
+    scene->SetResponse(3);
+    CHECK(refused.OneError("3"));
+    CHECK(!changed() && scene->GetResponse() == vtkReliefScene::Igor);
+  }
+  scene->SetResponseToIllumination();
+  scene->SetLightsToSunAndSky(200.0, 20.0);
+  CHECK(changed());
+
   // On level ground they give what they say; the disc as much as a point would.
   vtkNew<vtkImageReliefShading> shading;
   shading->SetInputData(MakeHeights(3, 3, [](int, int) { return 0.0; }));
@@ -177,6 +196,18 @@ int TestReliefScene(int, char*[])
   scene->SetLightsToMultidirectional();
   CHECK_NEAR(luminance(), 0.5, 1e-6);
   CHECK(shading->GetStatistics()->GetLightsTraced() == 4);
+  // Level ground answers by its slope alone, and illuminations that are kept serve any answer.
+  scene->SetLightsToCombined(10.0, 30.0);
+  CHECK_NEAR(level(0), 1.0, 1e-6);
+  CHECK(shading->GetStatistics()->GetLightsTraced() == 1);
+  scene->SetResponseToIllumination();
+  CHECK_NEAR(level(0), 0.5, 1e-6);
+  CHECK(shading->GetStatistics()->GetLightsReused() == 1);
+  scene->SetResponseToIgor();
+  CHECK_NEAR(level(0), 1.0, 1e-6);
+  CHECK(shading->GetStatistics()->GetLightsTraced() == 0);
+  scene->SetResponseToIllumination();
+
   scene->RemoveAllLights();
   scene->AddSun(10.0, 30.0, 3.0);
   CHECK_NEAR(level(0), 0.5, 1e-3);
@@ -228,8 +259,9 @@ int TestReliefScene(int, char*[])
 
   std::ostringstream printed;
   scene->Print(printed);
-  for (const char* name : { "Material", "Lights", "Environment", "HeightScale", "Integrator",
-         "Tolerance", "NumberOfSteps", "NumberOfSunSamples", "Exposure", "AutomaticExposure" })
+  for (const char* name :
+    { "Material", "Lights", "Environment", "HeightScale", "Integrator", "Tolerance",
+      "NumberOfSteps", "NumberOfSunSamples", "Response", "Exposure", "AutomaticExposure" })
   {
     CHECK(printed.str().find(std::string(name) + ":") != std::string::npos);
   }

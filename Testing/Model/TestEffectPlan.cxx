@@ -57,6 +57,27 @@ TEST_F(EffectPlan, HighlightsAloneNeedNoRay)
   EXPECT_FALSE(this->Plan().diffuse);
 }
 
+TEST_F(EffectPlan, ResponsesNeedNormals)
+{
+  const int wanted = relief::NormalsEffect;
+  this->Scene.response = relief::f64::RELIEF_COMBINED;
+  EXPECT_TRUE(this->Light().matte && this->Light().trace && this->Plan().diffuse);
+  EXPECT_EQ(relief::FindEffects(this->Scene, this->Plan()), wanted | relief::IlluminationEffect);
+  // Below the horizon there is nothing to trace, and slopes show all the same.
+  this->Scene.lights[0].vector = glm::dvec3(0.6, 0.0, -0.8);
+  EXPECT_TRUE(this->Light().matte && this->Light().shows && !this->Light().trace);
+  // Igor's is of slope and aspect alone.
+  this->Scene.lights[0].vector = glm::dvec3(0.6, 0.0, 0.8);
+  this->Scene.response = relief::f64::RELIEF_IGOR;
+  EXPECT_TRUE(this->Light().matte && !this->Light().trace && this->Plan().diffuse);
+  EXPECT_EQ(relief::FindEffects(this->Scene, this->Plan()), wanted);
+  EXPECT_EQ(
+    relief::FindEffects(this->Scene, this->Plan(), true), wanted | relief::IlluminationEffect);
+  this->Scene.diffuse = glm::dvec3(0.0);
+  EXPECT_FALSE(this->Light().matte);
+  EXPECT_EQ(relief::FindEffects(this->Scene, this->Plan()), 0);
+}
+
 TEST_F(EffectPlan, BlackIsNotTraced)
 {
   this->Scene.diffuse = glm::dvec3(0.0);

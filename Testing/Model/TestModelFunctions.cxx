@@ -142,6 +142,48 @@ TEST(ModelFunctions, IntegratedEquation)
   }
 }
 
+// By hand, at angles whose sines are known; in codes, which are what cartographers' formulas tell.
+TEST(ModelFunctions, CombinedResponse)
+{
+  const auto code = [](double d, const glm::dvec3& n, const glm::dvec3& l)
+  { return reliefEncode(reliefResponse(RELIEF_COMBINED, d, n, l)); };
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  // Level ground is white whatever the light.
+  EXPECT_NEAR(code(0.0, up, Toward(10.0, 5.0)), 1.0, 1e-7);
+  EXPECT_NEAR(code(1.0, up, Toward(10.0, 90.0)), 1.0, 1e-7);
+  // A slope of 30 degrees to the south: with light from straight above, under which it is at 30
+  // degrees, too; with light from the north, 45 high, away by 75; and in shadow, by 90.
+  const glm::dvec3 south = glm::normalize(glm::dvec3(0.0, -0.5, std::sqrt(0.75)));
+  EXPECT_NEAR(code(1.0, south, up), 1.0 - 4.0 / 36.0, 1e-6);
+  EXPECT_NEAR(
+    code(1.0, south, Toward(0.0, 45.0)), 1.0 - 4.0 * (30.0 * 75.0) / (180.0 * 180.0), 1e-6);
+  EXPECT_NEAR(code(0.0, south, up), 1.0 - 4.0 * (30.0 * 90.0) / (180.0 * 180.0), 1e-6);
+  // Half the light is as an angle of 60 degrees.
+  EXPECT_NEAR(code(0.5, south, up), 1.0 - 4.0 * (30.0 * 60.0) / (180.0 * 180.0), 1e-6);
+  // A wall in front of a light that is behind it: never below black.
+  EXPECT_EQ(code(0.0, glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(-1.0, 0.0, 0.0)), 0.0);
+  EXPECT_NEAR(code(1.0, glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(1.0, 0.0, 0.0)), 1.0, 1e-7);
+}
+
+TEST(ModelFunctions, IgorResponse)
+{
+  const auto code = [](const glm::dvec3& n, const glm::dvec3& l)
+  { return reliefEncode(reliefResponse(RELIEF_IGOR, 0.0, n, l)); };
+  const glm::dvec3 up(0.0, 0.0, 1.0);
+  const glm::dvec3 south = glm::normalize(glm::dvec3(0.0, -0.5, std::sqrt(0.75)));
+  EXPECT_NEAR(code(up, Toward(10.0, 5.0)), 1.0, 1e-7);
+  // Whatever falls to the light is white, by its azimuth alone.
+  for (double altitude : { -80.0, 0.0, 20.0, 89.0 })
+  {
+    EXPECT_NEAR(code(south, Toward(180.0, altitude)), 1.0, 1e-4);
+    EXPECT_NEAR(code(south, Toward(90.0, altitude)), 1.0 - 0.5 * (30.0 / 90.0), 1e-5);
+    EXPECT_NEAR(code(south, Toward(0.0, altitude)), 1.0 - 30.0 / 90.0, 1e-4);
+  }
+  // A light that comes from no side.
+  EXPECT_NEAR(code(south, up), 1.0, 1e-7);
+  EXPECT_NEAR(code(glm::dvec3(0.0, 1.0, 0.0), Toward(180.0, 45.0)), 0.0, 1e-4);
+}
+
 // Decoding is IEC 61966-2-1's, and encoding gives every code of 8 and 16 bits back.
 template <class Real, class Encode, class Decode>
 void TestCodes(Encode&& encode, Decode&& decode, double bound)

@@ -73,6 +73,7 @@ void main()
   ReliefTrace trace;
   float d = reliefExact(field, medium, ray, n, l, trace);
   d += float(reliefStepCount(field, ray, 256)) + reliefIllumination(medium, trace.thickness);
+  d = reliefResponse(positional ? RELIEF_COMBINED : RELIEF_IGOR, d, n, l);
   float f = reliefForwardScatter(falloff, l);
   float s = reliefSpecularity(falloff, n, l);
   vec3 sum = reliefBaseTerm(coefficients.x, n) +

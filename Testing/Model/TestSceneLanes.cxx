@@ -92,6 +92,7 @@ Scene RandomLook(Random& random, const Texels& texels)
   scene.scatterFalloff = RandomFalloff(random);
   scene.medium.depth = 0.8;
   scene.medium.offset = random.Integer(0, 2);
+  scene.response = random.Integer(0, 2);
   scene.exposure = random.Uniform(-1.0, 1.0);
   for (std::vector<ColorTexture>* textures :
     { &scene.baseTextures, &scene.diffuseTextures, &scene.specularTextures })
@@ -173,12 +174,13 @@ Terms TermsAt(const HeightField& prepared, const Scene& scene, const Texels& tex
     glm::vec3 l;
     f32::reliefRay(field, ToSingle(scene.medium), i, j, n,
       LightFrom<float>(light, field.heights, i, j), light.positional, l);
-    terms.diffuse += glm::dvec3(f32::reliefDiffuseTerm(ks, kf, d[index][k], radiance, diffuse));
+    const float answer = f32::reliefResponse(scene.response, d[index][k], n, l);
+    terms.diffuse += glm::dvec3(f32::reliefDiffuseTerm(ks, kf, answer, radiance, diffuse));
     const Bracket f = Around(single(scene.scatterFalloff), -l.z);
     terms.scatterLo += glm::dvec3(
-      f32::reliefScatterTerm(ks, kf, static_cast<float>(f.lo), d[index][k], radiance, diffuse));
+      f32::reliefScatterTerm(ks, kf, static_cast<float>(f.lo), answer, radiance, diffuse));
     terms.scatterHi += glm::dvec3(
-      f32::reliefScatterTerm(ks, kf, static_cast<float>(f.hi), d[index][k], radiance, diffuse));
+      f32::reliefScatterTerm(ks, kf, static_cast<float>(f.hi), answer, radiance, diffuse));
     const Bracket s = Around(single(scene.specularFalloff), f32::reliefMirror(n, l));
     terms.specularLo +=
       glm::dvec3(f32::reliefSpecularTerm(ks, static_cast<float>(s.lo), radiance, specular));

@@ -124,8 +124,9 @@ class InProcess(Case):
     def test_lights(self):
         for light, words in enumerate((["--sun", "315,45"], ["--preset", "multidirectional"],
                                        ["--preset", "sky-dome", "--env-samples", "16"],
-                                       ["--preset", "sun-and-sky,315,45", "--env-samples", "16"])):
-            more = {"ENV_SAMPLES": 16} if light > 1 else {}
+                                       ["--preset", "sun-and-sky,315,45", "--env-samples", "16"],
+                                       ["--preset", "combined,315,45"], ["--preset", "igor,315"])):
+            more = {"ENV_SAMPLES": 16} if light in (2, 3) else {}
             self.run_(LIGHT=light, **more)
             self.assertEqual(self.values("o.tif"), self.shaded("p.tif", *words), words)
         self.run_(TIME="2026-06-21T15:00Z")

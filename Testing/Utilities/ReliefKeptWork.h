@@ -114,6 +114,8 @@ inline std::vector<SceneOfEffects> ScenesOfEffects()
       } },
     { "scattering", scatter(0.5, -1.0) }, { "all scattered", scatter(1.0, -1.0) },
     { "all scattered, none this way", scatter(1.0, 0.0) },
+    { "combined with slope", [](Scene* s, Material*) { s->SetResponseToCombined(); } },
+    { "by slope and aspect", [](Scene* s, Material*) { s->SetResponseToIgor(); } },
     { "a light that is off",
       [](Scene* s, Material*)
       {

@@ -54,8 +54,8 @@ void TestViewerRandom::Something(MainWindow* window)
 {
   const char* const actions[] = { "addSunAction", "addLampAction", "switchLight", "nextLight",
     "removeLightAction", "presetSun", "presetSunAndSky", "presetSkyDome", "presetMultidirectional",
-    "undo", "undo", "undo", "redo", "redo", "fitHeights", "fit", "samples", "zoomIn", "zoomOut",
-    "showLights" };
+    "presetCombined", "presetIgor", "undo", "undo", "undo", "redo", "redo", "fitHeights", "fit",
+    "samples", "zoomIn", "zoomOut", "showLights" };
   ReliefView* view = window->View();
   const QPoint anywhere(this->Below(view->width()), this->Below(view->height()));
   const int lights = window->Opened()->Scene()->GetLights()->GetNumberOfItems();

@@ -207,6 +207,7 @@ Scene ConvertMaterial(vtkReliefScene* scene, const ImageFrame& frame, double dat
   result.integrator =
     scene->GetIntegrator() == vtkReliefScene::Exact ? Integrator::Exact : Integrator::FixedStep;
   result.steps = scene->GetNumberOfSteps();
+  result.response = scene->GetResponse();
   result.exposure = scene->GetExposure();
   return result;
 }

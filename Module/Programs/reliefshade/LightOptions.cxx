@@ -90,6 +90,12 @@ void addPreset(const std::string& word, Options& options)
     given->AddItem(light);
   }
   const std::string name = word.substr(0, word.find(','));
+  // The angles behind the name, or the usual ones.
+  const auto placeOf = [&](const std::vector<double>& usual)
+  {
+    return word == name ? usual
+                        : toNumbers("--preset", word.substr(name.size() + 1), { usual.size() });
+  };
   if (isWord(word, "multidirectional"))
   {
     scene->SetLightsToMultidirectional();
@@ -100,19 +106,28 @@ void addPreset(const std::string& word, Options& options)
   }
   else if (isWord(name, "sun-and-sky"))
   {
-    std::vector<double> place{ parameters::UsualAzimuth, parameters::UsualAltitude };
-    if (word != name)
-    {
-      place = toNumbers("--preset", word.substr(name.size() + 1), { 2 });
-    }
+    const std::vector<double> place =
+      placeOf({ parameters::UsualAzimuth, parameters::UsualAltitude });
     refuse("--preset", parameters::CheckSunAndSky(place[0], place[1]));
     scene->SetLightsToSunAndSky(place[0], place[1]);
+  }
+  else if (isWord(name, "combined"))
+  {
+    const std::vector<double> place =
+      placeOf({ parameters::UsualAzimuth, parameters::UsualAltitude });
+    refuse("--preset", parameters::CheckSun(place[0], place[1], 0.0));
+    scene->SetLightsToCombined(place[0], place[1]);
+  }
+  else if (isWord(name, "igor"))
+  {
+    scene->SetLightsToIgor(placeOf({ parameters::UsualAzimuth })[0]);
   }
   else
   {
     throw Failure("--preset",
-      "'" + word + "' is none of multidirectional|sky-dome|sun-and-sky[,AZ,ALT]" +
-        suggestion(name, { "multidirectional", "sky-dome", "sun-and-sky" }),
+      "'" + word +
+        "' is none of multidirectional|sky-dome|sun-and-sky[,AZ,ALT]|combined[,AZ,ALT]|igor[,AZ]" +
+        suggestion(name, { "multidirectional", "sky-dome", "sun-and-sky", "combined", "igor" }),
       UsageFailure);
   }
   for (vtkLight* light : vtk::Range(given.Get()))
@@ -222,9 +237,11 @@ void addLightOptions(OptionParser& parser, Options& options)
   addSuns(parser, options);
   addSunTimes(parser, options, dropLightsOfFile);
   // What follows is run in this order, when the suns are there.
-  parser.Word("--preset", "multidirectional|sky-dome|sun-and-sky[,AZ,ALT]",
-    "Light as cartographers know it: four suns from south-west to north; a uniform white sky; or "
-    "the sun and a clear sky, the sun at azimuth and altitude (0 to 90) in degrees, default: " +
+  parser.Word("--preset", "NAME[,AZ[,ALT]]",
+    "Light as cartographers know it: multidirectional, sky-dome, sun-and-sky, combined or igor. "
+    "Four suns from south-west to north; a uniform white sky; the sun, at azimuth and altitude (0 "
+    "to 90) in degrees, and a clear sky; a sun, and --response combined; a sun at an azimuth, and "
+    "--response igor. Default of the angles: " +
       usualSun() + ". Adds to the lights",
     [&options](const std::string& word) { addPreset(word, options); });
   parser.SetGroup("Light from all around");

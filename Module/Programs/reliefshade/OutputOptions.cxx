@@ -79,6 +79,9 @@ void addOutputOptions(OptionParser& parser, Options& options)
       options.Format = formats[static_cast<std::size_t>(toChoice("--format", word, formats))];
       options.Tiff.CloudOptimized = options.Format == "cog";
     });
+  parser.Flag("--overviews",
+    "TIFF gets overviews: smaller copies of the picture, for maps that show it from afar",
+    options.Tiff.Overviews);
   parser
     .Word("--co", "NAME=VALUE",
       "One of GDAL's creation options for TIFF. As TILED=YES. May be repeated; it goes before what "
@@ -94,6 +97,7 @@ void checkOutputOptions(const Options& options)
   const char* const option = !form.CreationOptions.empty() ? "--co"
     : form.Compression != GeoTiffForm::Usual               ? "--compress"
     : form.CloudOptimized                                  ? "--format"
+    : form.Overviews                                       ? "--overviews"
                                                            : nullptr;
   if (option && !writesTiff(options))
   {

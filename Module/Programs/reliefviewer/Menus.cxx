@@ -180,11 +180,19 @@ void MainWindow::AddLightMenu()
 {
   QMenu* menu = this->menuBar()->addMenu(tr("&Light"));
   vtkReliefScene* scene = this->Shown->Scene();
-  const auto preset =
-    [this, menu](const QString& name, const QString& text, const std::function<void()>& change)
+  const auto preset = [this, menu, scene](const QString& name, const QString& text,
+                        const std::function<void()>& change)
   {
     this->AddAction(menu, name, text, QKeySequence(),
-      [this, change] { this->Shown->Edit(tr("Preset of lights"), change); });
+      [this, scene, change]
+      {
+        this->Shown->Edit(tr("Preset of lights"),
+          [&]
+          {
+            scene->SetResponseToIllumination();
+            change();
+          });
+      });
   };
   this->AddAction(menu, "addSunAction", tr("Add &sun"), QKeySequence(Qt::Key_S),
     [this] { this->Side->Lights()->AddSun(); });
@@ -214,6 +222,9 @@ void MainWindow::AddLightMenu()
   preset("presetSkyDome", tr("Sky &dome"), [scene] { scene->SetLightsToSkyDome(); });
   preset("presetMultidirectional", tr("&Four suns (multidirectional)"),
     [scene] { scene->SetLightsToMultidirectional(); });
+  preset("presetCombined", tr("&Combined with slope"),
+    [scene] { scene->SetLightsToCombined(315.0, 45.0); });
+  preset("presetIgor", tr("S&lope and aspect (Igor)"), [scene] { scene->SetLightsToIgor(315.0); });
 }
 
 //------------------------------------------------------------------------------

@@ -16,7 +16,8 @@ from qgis.PyQt.QtGui import QPainter
 from . import program
 
 # Where light comes from, and what the program calls it.
-LIGHTS = ("One sun", "Four suns (multidirectional)", "Sky dome", "Sun and sky")
+LIGHTS = ("One sun", "Four suns (multidirectional)", "Sky dome", "Sun and sky",
+          "Combined with slope", "Slope and aspect (Igor)")
 NAMED_BY_GROUP = ("backlight", "environment", "highlights")
 # Presets of lights have their own.
 OF_LIGHTS = ("environment", "lights")
@@ -208,7 +209,8 @@ class Shading(QgsProcessingAlgorithm):
         if time:
             raise QgsProcessingException(
                 f"a time was given with the light '{LIGHTS[light]}'; it is that of 'One sun'")
-        return ["--preset", ("", "multidirectional", "sky-dome", "sun-and-sky," + sun)[light]]
+        return ["--preset", ("", "multidirectional", "sky-dome", "sun-and-sky," + sun, "combined," + sun,
+                             "igor," + sun.split(",")[0])[light]]
 
     def valueWord(self, entry, parameters, context):
         """The value of a parameter as the program takes it; None for its default."""
