@@ -18,7 +18,8 @@ ROOMS = {
     "Rendering": ("vtkReliefImageMapper", "vtkOpenGLReliefImageMapper"),
     "Interaction": ("vtkReliefLightRepresentation", "vtkReliefLightWidget"),
     "IO": ("vtkOpenEXRLayerWriter", "vtkOpenImageIOReader", "vtkOpenImageIOWriter",
-           "vtkReliefEnvironmentImage", "vtkReliefSceneFile"),
+           "vtkReliefEnvironmentImage", "vtkReliefMeshReader", "vtkReliefSceneFile"),
+    "Heights": ("vtkDepthToHeightField", "vtkNormalMapToHeightField", "vtkReliefCompression"),
     "Raster": ("vtkReliefRasterReader", "vtkReliefRasterWriter"),
 }
 BUILT = os.environ.get("RELIEFSHADING_ROOMS", " ".join(ROOMS)).split()

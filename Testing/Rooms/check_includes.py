@@ -22,10 +22,11 @@ MAY_INCLUDE = {
     "Files": set(),
     "IO": {"Model", "Imaging", "Imaging/Hosts", "Files"},
     "Raster": {"Model", "Imaging", "Imaging/Hosts", "Files"},
+    "Heights": {"Model", "Imaging", "Imaging/Hosts"},
     "ParaView": {"Imaging"},
     "ParaView/Adapters": {"Imaging", "Imaging/Hosts", "IO", "Rendering"},
-    "Programs/reliefshade": {"Imaging", "Imaging/Hosts", "Files", "IO", "Raster"},
-    "Programs/reliefviewer": {"Imaging", "Imaging/Hosts", "Files", "IO", "Raster", "Rendering",
+    "Programs/reliefshade": {"Imaging", "Imaging/Hosts", "Files", "IO", "Raster", "Heights"},
+    "Programs/reliefviewer": {"Imaging", "Imaging/Hosts", "Files", "IO", "Raster", "Heights", "Rendering",
                               "Interaction", "Programs/reliefshade"},
 }
 # What a room's code must never name, whoever brings it.
@@ -35,6 +36,7 @@ NEVER = {
     "Imaging/Hosts": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]|fstream|cstdio",
     "Imaging": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]|fstream|cstdio",
     "Interaction": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]|fstream",
+    "Heights": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]|fstream|cstdio",
     "Rendering": r"OpenImageIO|Imf|gdal|ogr|Q[A-Z]|fstream",
     "Files": r"vtkOpenGL|vtk_gl|OpenImageIO|Imf|gdal|ogr|Q[A-Z]",
     "IO": r"vtkOpenGL|vtk_gl|gdal|ogr|Q[A-Z]",

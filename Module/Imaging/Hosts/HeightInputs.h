@@ -39,7 +39,7 @@ VTKRELIEFSHADING_EXPORT std::string CheckHeights(const HeightInputs& inputs);
 VTKRELIEFSHADING_EXPORT std::function<bool(int, int)> ReadMask(const HeightInputs& inputs);
 
 /// The model's way to use all threads.
-void ForRows(int count, const std::function<void(int, int)>& body);
+VTKRELIEFSHADING_EXPORT void ForRows(int count, const std::function<void(int, int)>& body);
 
 /// The padded array that the heights of inputs are; null where they are another.
 VTKRELIEFSHADING_EXPORT const PaddedHeights* FindPadded(const HeightInputs& inputs);

@@ -44,10 +44,12 @@ private:
 };
 
 /// Checks that an image is one slice of scalars.
-std::string CheckImage(vtkImageData* image, vtkDataArray* scalars, const char* what);
+VTKRELIEFSHADING_EXPORT std::string CheckImage(
+  vtkImageData* image, vtkDataArray* scalars, const char* what);
 
 /// Checks that an image is one slice of scalars of one component.
-std::string CheckInput(vtkImageData* image, vtkDataArray* scalars, const char* what);
+VTKRELIEFSHADING_EXPORT std::string CheckInput(
+  vtkImageData* image, vtkDataArray* scalars, const char* what);
 
 /// An image of grey, RGB or either with alpha as a texture whose place is left open.
 VTKRELIEFSHADING_EXPORT std::string ConvertColors(
