@@ -207,8 +207,9 @@ bool LooksLikeDegrees(const RasterHeader& raster)
 bool HasLengths(const RasterHeader& raster)
 {
   static const char* const pictures[] = { "BMP", "GIF", "JPEG", "JPEGXL", "PNG", "PNM", "WEBP" };
-  return raster.Reference.Present &&
-    std::find(std::begin(pictures), std::end(pictures), raster.Driver) == std::end(pictures);
+  const bool picture =
+    std::find(std::begin(pictures), std::end(pictures), raster.Driver) != std::end(pictures);
+  return raster.OneUnit || (raster.Reference.Present && !picture);
 }
 
 //------------------------------------------------------------------------------

@@ -70,6 +70,8 @@ struct RasterHeader
   GeoReference Reference;
   /// From one sample to the next along x and y: metres for a georeferenced raster, else 1.
   std::array<double, 2> Spacing{ 1.0, 1.0 };
+  /// Heights and spacing have one unit, whatever it is: of a mesh, for example.
+  bool OneUnit = false;
   /// Metres per unit of the heights; 1 where the file does not say.
   double HeightUnit = 1.0;
   /// Map coordinates of the centre of the first sample, and from one sample to the next along a row
@@ -142,7 +144,8 @@ constexpr double Wgs84InverseFlattening = 298.257223563;
 /// Whether the coordinates could be degrees although nothing in the file says so.
 VTKIORELIEFRASTER_EXPORT bool LooksLikeDegrees(const RasterHeader& raster);
 
-/// Whether heights and spacing are taken for lengths of one unit: those of a georeferenced raster.
+/// Whether heights and spacing are taken for lengths of one unit: those of a georeferenced raster,
+/// and those that are known to be.
 /// The values of a picture, as of a PNG or a JPEG file, are none, even if a file beside it tells
 /// its place.
 VTKIORELIEFRASTER_EXPORT bool HasLengths(const RasterHeader& raster);

@@ -26,6 +26,7 @@ private slots:
   void empty();
   void heights();
   void georeference();
+  void meshes();
   void heightsWithoutUnit();
   void turnedRasters();
   void doubtfulHeightsAreTold();
@@ -111,6 +112,22 @@ void TestViewerOpening::georeference()
   QCOMPARE(field.Frame.CoordinateToMap(0, 0.0), 1015.0);
   QCOMPARE(field.Frame.CoordinateToMap(1, 30.0), 2045.0);
   QCOMPARE(field.Frame.CoordinateToHeights(0, 1045.0), 30.0);
+}
+
+//------------------------------------------------------------------------------
+// Meshes are looked at from above, in their own unit.
+void TestViewerOpening::meshes()
+{
+  this->Write("roof.obj",
+    "v 0 0 0\nv 8 0 0\nv 8 4 0\nv 0 4 0\nv 4 2 3\n"
+    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  const Window window = this->NewWindow(this->Path("roof.obj"));
+  const Field& field = window->Opened()->OpenedField();
+  QCOMPARE(field.Samples[0], 1024);
+  QVERIFY(std::abs(field.Highest - 3.0) < 0.02 && std::abs(field.Lowest) < 0.02);
+  QCOMPARE(window->Opened()->Scene()->GetHeightScale(), 1.0);
+  QImage picture;
+  COMPLETE_PICTURE(picture, window);
 }
 
 //------------------------------------------------------------------------------

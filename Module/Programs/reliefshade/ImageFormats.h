@@ -12,6 +12,7 @@
 class vtkImageData;
 class vtkImageReader2;
 class vtkImageWriter;
+class vtkPolyDataAlgorithm;
 class vtkReliefScene;
 
 namespace reliefshade
@@ -21,7 +22,7 @@ struct Drawing;
 
 /// What takes VTK::IOReliefShading, whose 260 libraries of image formats take longer to load than a
 /// small raster to shade: pictures in other formats than GeoTIFF, layers for compositing, scenes,
-/// charts.
+/// meshes, charts.
 /// It lies in a library of its own that is loaded when it is first asked for.
 class ImageFormats
 {
@@ -44,6 +45,9 @@ public:
   virtual std::vector<std::string> ChannelNames(vtkImageReader2* reader) const = 0;
   /// Its memory limit, in kibibytes.
   virtual void SetMemoryLimit(vtkImageReader2* reader, vtkTypeInt64 limit) const = 0;
+
+  /// A vtkReliefMeshReader of a file.
+  virtual vtkSmartPointer<vtkPolyDataAlgorithm> NewMeshReader(const std::string& file) const = 0;
 
   /// A vtkOpenImageIOWriter that writes under the very name that it gets.
   virtual vtkSmartPointer<vtkImageWriter> NewWriter() const = 0;

@@ -11,6 +11,7 @@
 #include "vtkOpenEXRLayerWriter.h"
 #include "vtkOpenImageIOReader.h"
 #include "vtkOpenImageIOWriter.h"
+#include "vtkReliefMeshReader.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefSceneFile.h"
 
@@ -54,6 +55,13 @@ public:
   void SetMemoryLimit(vtkImageReader2* reader, vtkTypeInt64 limit) const override
   {
     vtkOpenImageIOReader::SafeDownCast(reader)->SetMemoryLimit(limit);
+  }
+
+  vtkSmartPointer<vtkPolyDataAlgorithm> NewMeshReader(const std::string& file) const override
+  {
+    auto reader = vtkSmartPointer<vtkReliefMeshReader>::New();
+    reader->SetFileName(file.c_str());
+    return reader;
   }
 
   vtkSmartPointer<vtkImageWriter> NewWriter() const override

@@ -11,6 +11,7 @@
 #include "OutputOptions.h"
 #include "ParameterList.h"
 #include "PictureOutput.h"
+#include "SculptingOptions.h"
 
 #include "vtkLightCollection.h"
 #include "vtkReliefEnvironment.h"
@@ -420,6 +421,7 @@ const char* const Usage =
   "        reads (PNG, TIFF, OpenEXR, ...); georeferences of GeoTIFF are not read by\n"
   "        this build.\n"
 #endif
+  "        Or a mesh, seen from one side (.obj .ply .stl .vtp .vtk .gltf .glb).\n"
   "OUTPUT  the picture, in the format of its extension; an old one is replaced.\n"
   "        Samples without data are transparent, or black where the format has no\n"
   "        transparency."
@@ -476,6 +478,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
   OptionParser parser(app);
   addSceneOptions(parser, options);
   addInputOptions(parser, options);
+  addSculptingOptions(parser, options);
   addLightOptions(parser, options);
   addMaterialOptions(parser, options);
   addPictureOptions(parser, options);
@@ -572,6 +575,8 @@ bool parseOptions(int argc, char* argv[], Options& options)
   }
   putFramesFirst(options);
   nameStreams(options);
+  checkMeshOptions(options.Input, options.View, options.Reading);
+  checkSculpting(options.Sculpted);
   checkNames(options);
   checkOutputOptions(options);
   return true;

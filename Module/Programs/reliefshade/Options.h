@@ -5,7 +5,9 @@
 #include "GeoTiffForm.h"
 #include "HeightScaling.h"
 #include "LayersWriter.h"
+#include "MeshHeights.h"
 #include "RasterFiles.h"
+#include "SculptedHeights.h"
 #include "StandardStreams.h"
 #include "SunTimes.h"
 
@@ -34,6 +36,8 @@ struct Options
   std::string Format;
   std::string Mask;
   ReadOptions Reading;
+  MeshView View;
+  Sculpting Sculpted;
   /// From one sample to the next along x and y, in place of the file's.
   std::optional<std::array<double, 2>> Spacing;
 

@@ -2,6 +2,7 @@
 #include "Watch.h"
 
 #include "Failure.h"
+#include "MessageLog.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -10,6 +11,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 
 #ifdef _WIN32
@@ -101,6 +103,18 @@ void stopIfInterrupted()
   if (interrupted())
   {
     throw Failure("", "interrupted", Interrupted);
+  }
+}
+
+//------------------------------------------------------------------------------
+void runToEnd(vtkAlgorithm* algorithm)
+{
+  watch(algorithm, false);
+  algorithm->Update();
+  stopIfInterrupted();
+  if (hasError())
+  {
+    throw std::runtime_error(takeError());
   }
 }
 

@@ -24,6 +24,10 @@ void stopIfInterrupted();
 /// does, on the standard error stream. It must outlive its last update.
 void watch(vtkAlgorithm* algorithm, bool bar, const char* what = "shading");
 
+/// Updates an algorithm until it is done or interrupted. Throws the failure that ends an
+/// interrupted run, or a std::runtime_error with what the algorithm says.
+void runToEnd(vtkAlgorithm* algorithm);
+
 /// Whether a progress bar would be seen: the standard error stream is a terminal.
 bool terminal();
 

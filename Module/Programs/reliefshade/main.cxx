@@ -9,6 +9,7 @@
 #include "HeightScaling.h"
 #include "ImageFrame.h"
 #include "LayersWriter.h"
+#include "MeshHeights.h"
 #include "MessageLog.h"
 #include "Options.h"
 #include "OutputNames.h"
@@ -16,6 +17,7 @@
 #include "PictureChoice.h"
 #include "RasterFiles.h"
 #include "ReferencedPicture.h"
+#include "SculptedHeights.h"
 #include "StandardStreams.h"
 #include "SunTimes.h"
 #include "Threads.h"
@@ -235,7 +237,11 @@ void run(Options& options)
   MemoryBudget budget(options.MemoryLimit, "--memory-limit");
   ReadOptions reading = options.Reading;
   reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
-  Raster raster = readRaster(options.Input, reading, budget, bytesPerSample(options));
+  Raster raster = isMesh(options.Input)
+    ? readMesh(options.Input, options.View, budget, bytesPerSample(options))
+    : options.Sculpted.Green
+    ? readNormalMap(options.Input, options.Sculpted, budget, bytesPerSample(options))
+    : readRaster(options.Input, reading, budget, bytesPerSample(options));
   if (!options.Mask.empty())
   {
     addMask(options.Mask, ReadOptions(), options.Input, budget, raster);
@@ -258,6 +264,10 @@ void run(Options& options)
     {
       say(options.Input + ": " + scaled);
     }
+  }
+  if (options.Sculpted.Relief)
+  {
+    squeezeHeights(*options.Sculpted.Relief, options.Input, budget, raster);
   }
   const SunClock clock(options, raster);
   clock.Place(0);

@@ -3,6 +3,7 @@
 
 #include "HeightScaling.h"
 #include "HeightSummary.h"
+#include "MeshHeights.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -45,7 +46,9 @@ double Field::Size() const
 Field readField(const std::string& file, const reliefshade::ReadOptions& options)
 {
   reliefshade::MemoryBudget budget(reliefshade::machineMemory(), "this machine");
-  Field field = makeField(reliefshade::readRaster(file, options, budget));
+  Field field = makeField(reliefshade::isMesh(file)
+      ? reliefshade::readMesh(file, reliefshade::MeshView(), budget, 0.0)
+      : reliefshade::readRaster(file, options, budget));
   field.Reading = options;
   return field;
 }

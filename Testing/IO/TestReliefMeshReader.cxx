@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkReliefMeshReader: one mesh in every format, and files that are none, cut off or damaged: one
+// message each, and nothing else printed.
+#include "vtkReliefMeshReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include "FileTestUtilities.h"
+
+#include <cstdint>
+#include <cstdlib>
+
+namespace
+{
+int Failures = 0;
+std::string Directory;
+
+// Whether anything reached VTK's output window.
+class Window : public vtkOutputWindow
+{
+public:
+  static Window* New();
+  vtkTypeMacro(Window, vtkOutputWindow);
+  void DisplayText(const char* text) override { this->Texts += text; }
+  void DisplayErrorText(const char* text) override { this->Texts += text; }
+  void DisplayWarningText(const char* text) override { this->Texts += text; }
+  // What belongs to no object cannot be heard by the reader: VTK's own format has such warnings.
+  void DisplayGenericWarningText(const char*) override {}
+
+  std::string Texts;
+};
+vtkStandardNewMacro(Window);
+
+// A tent of two triangles.
+vtkSmartPointer<vtkPolyData> MakeTent()
+{
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0.5);
+  points->InsertNextPoint(1, 2, 0.5);
+  points->InsertNextPoint(0, 2, 0);
+  mesh->SetPoints(points);
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell({ 0, 1, 2 });
+  triangles->InsertNextCell({ 0, 2, 3 });
+  mesh->SetPolys(triangles);
+  return mesh;
+}
+
+const char* const ObjText = "# tent\no tent\nv 0 0 0\nv 1 0 0.5\nv 1 2 0.5\nv 0 2 0\n"
+                            "vn 0 0 1\nf 1//1 2//1 3//1\nf 1//1 3//1 4//1\n";
+
+std::string Little(std::uint32_t number)
+{
+  std::string bytes;
+  for (int k = 0; k < 4; ++k)
+  {
+    bytes += static_cast<char>(number >> (8 * k) & 0xff);
+  }
+  return bytes;
+}
+
+std::string GltfBuffer()
+{
+  std::string bytes;
+  for (const float value :
+    { 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.5f, 1.0f, 2.0f, 0.5f, 0.0f, 2.0f, 0.0f })
+  {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, 4);
+    bytes += Little(bits);
+  }
+  for (const char index : { 0, 1, 2, 0, 2, 3 })
+  {
+    bytes += index;
+    bytes += '\0';
+  }
+  return bytes;
+}
+
+// The tent, once or twice, the second 10 to the right.
+std::string GltfText(bool twice, const std::string& buffer)
+{
+  return std::string("{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0") +
+    (twice ? ",1" : "") + "]}],\"nodes\":[{\"mesh\":0}" +
+    (twice ? ",{\"mesh\":0,\"translation\":[10,0,0]}" : "") +
+    "],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+    "\"buffers\":[{\"byteLength\":60" +
+    buffer +
+    "}],\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},"
+    "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],"
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\","
+    "\"min\":[0,0,0],\"max\":[1,2,0.5]},"
+    "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}]}";
+}
+
+std::string Glb(bool twice)
+{
+  std::string text = GltfText(twice, "");
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string buffer = GltfBuffer();
+  const std::string chunks = Little(static_cast<std::uint32_t>(text.size())) + "JSON" + text +
+    Little(static_cast<std::uint32_t>(buffer.size())) + std::string("BIN\0", 4) + buffer;
+  return "glTF" + Little(2) + Little(static_cast<std::uint32_t>(chunks.size() + 12)) + chunks;
+}
+
+template <class Writer>
+void Write(const std::string& name, bool binary)
+{
+  vtkNew<Writer> writer;
+  writer->SetInputData(MakeTent());
+  writer->SetFileName((Directory + name).c_str());
+  binary ? writer->SetFileTypeToBinary() : writer->SetFileTypeToASCII();
+  writer->Write();
+}
+
+void WriteFiles()
+{
+  WriteText(Directory + "tent.obj", ObjText);
+  WriteText(Directory + "TENT.OBJ", ObjText);
+  Write<vtkPLYWriter>("text.ply", false);
+  Write<vtkPLYWriter>("binary.ply", true);
+  Write<vtkSTLWriter>("text.stl", false);
+  Write<vtkSTLWriter>("binary.stl", true);
+  Write<vtkPolyDataWriter>("text.vtk", false);
+  Write<vtkPolyDataWriter>("binary.vtk", true);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(MakeTent());
+  writer->SetFileName((Directory + "tent.vtp").c_str());
+  writer->Write();
+  WriteText(Directory + "tent.glb", Glb(false));
+  WriteText(Directory + "two.glb", Glb(true));
+  WriteText(Directory + "tent.bin", GltfBuffer());
+  WriteText(Directory + "tent.gltf", GltfText(false, ",\"uri\":\"tent.bin\""));
+}
+
+//------------------------------------------------------------------------------
+void TestFormats()
+{
+  for (const char* name : { "tent.obj", "TENT.OBJ", "text.ply", "binary.ply", "text.stl",
+         "binary.stl", "text.vtk", "binary.vtk", "tent.vtp", "tent.glb", "tent.gltf" })
+  {
+    std::cout << "  " << name << std::endl;
+    CHECK(vtkReliefMeshReader::IsMeshFile(Directory + name));
+    vtkNew<vtkReliefMeshReader> reader;
+    MessageKeeper messages(reader);
+    reader->SetFileName((Directory + name).c_str());
+    reader->Update();
+    vtkPolyData* mesh = reader->GetOutput();
+    CHECK(messages.Silent() && reader->GetErrorCode() == vtkErrorCode::NoError);
+    CHECK(mesh->GetNumberOfPolys() == 2 && mesh->GetNumberOfPoints() >= 4);
+    const double* bounds = mesh->GetBounds();
+    CHECK(bounds[0] == 0.0 && bounds[1] == 1.0 && bounds[3] == 2.0 && bounds[5] == 0.5);
+  }
+  WriteText(Directory + "lines.obj",
+    "v 0 0 0\r\nv 1 0 0\r\nvt 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1/1 2/1 \\\n 3/1 4/1\r\n");
+  vtkNew<vtkReliefMeshReader> lines;
+  lines->SetFileName((Directory + "lines.obj").c_str());
+  lines->Update();
+  CHECK(lines->GetErrorCode() == vtkErrorCode::NoError);
+  CHECK(lines->GetOutput()->GetNumberOfPolys() == 1);
+  vtkNew<vtkReliefMeshReader> reader;
+  reader->SetFileName((Directory + "two.glb").c_str());
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfPolys() == 4);
+  CHECK(reader->GetOutput()->GetBounds()[1] == 11.0);
+  CHECK(!vtkReliefMeshReader::IsMeshFile("picture.png") && !vtkReliefMeshReader::IsMeshFile("obj"));
+}
+
+//------------------------------------------------------------------------------
+void Refused(const std::string& name, unsigned long code, const std::string& text)
+{
+  std::cout << "  " << name << ": " << text << std::endl;
+  vtkNew<vtkReliefMeshReader> reader;
+  MessageKeeper messages(reader);
+  MessageKeeper pipeline(reader->GetExecutive());
+  reader->SetFileName(name.empty() ? nullptr : (Directory + name).c_str());
+  reader->Update();
+  CHECK(reader->GetErrorCode() == code);
+  CHECK(messages.OneError(text) && pipeline.Silent());
+  CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
+  CHECK(reader->GetOutput()->GetNumberOfCells() == 0);
+  reader->Update();
+  CHECK(messages.Silent());
+}
+
+void RefusedText(
+  const std::string& name, const std::string& content, unsigned long code, const std::string& text)
+{
+  WriteText(Directory + name, content);
+  Refused(name, code, text);
+}
+
+void TestRefusals()
+{
+  Refused("", vtkErrorCode::NoFileNameError, "no file name");
+  Refused("none.obj", vtkErrorCode::FileNotFoundError, "none.obj\": the file does not exist");
+  std::filesystem::create_directories(Directory + "folder.stl");
+  Refused("folder.stl", vtkErrorCode::CannotOpenFileError, "directory");
+  RefusedText("mesh.xyz", "1 2 3", vtkErrorCode::UnrecognizedFileTypeError, "'.xyz'");
+  for (const char* extension : { "obj", "ply", "stl", "vtp", "vtk", "gltf", "glb" })
+  {
+    RefusedText(std::string("empty.") + extension, "", vtkErrorCode::PrematureEndOfFileError,
+      "the file is empty");
+  }
+  const std::string other(200, 'x');
+  RefusedText("other.obj", other, vtkErrorCode::FileFormatError, "no OBJ");
+  RefusedText("other.ply", other, vtkErrorCode::FileFormatError, "no PLY");
+  RefusedText("other.stl", other, vtkErrorCode::PrematureEndOfFileError, "200");
+  RefusedText("other.vtp", other, vtkErrorCode::FileFormatError, "VTKFile");
+  RefusedText("other.vtk", other, vtkErrorCode::FileFormatError, "vtk DataFile");
+  RefusedText("other.gltf", other, vtkErrorCode::FileFormatError, "no glTF");
+  RefusedText("other.glb", other, vtkErrorCode::FileFormatError, "no binary glTF");
+  RefusedText("brace.gltf", "{ nonsense", vtkErrorCode::FileFormatError, "it cannot be read");
+  RefusedText("nothing.gltf", GltfText(false, ",\"uri\":\"none.bin\""),
+    vtkErrorCode::FileFormatError, "the file \"none.bin\" that it names is not there");
+  std::string part = GltfText(false, ",\"uri\":\"tent.bin\"");
+  const auto changed = [&part](const std::string& from, const std::string& to)
+  {
+    std::string text = part;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  RefusedText("long.gltf", changed("\"byteLength\":60", "\"byteLength\":61"),
+    vtkErrorCode::PrematureEndOfFileError, "61 bytes, and there are 60");
+  RefusedText("view.gltf", changed("\"byteLength\":48", "\"byteLength\":61"),
+    vtkErrorCode::FileFormatError, "beyond its buffer");
+  RefusedText("accessor.gltf", changed("\"count\":6", "\"count\":600000"),
+    vtkErrorCode::FileFormatError, "beyond its bufferView");
+  RefusedText("name.gltf", changed("\"POSITION\":0", "\"POSITION\":7"),
+    vtkErrorCode::FileFormatError, "an accessor that is not there");
+  RefusedText("node.gltf", changed("\"nodes\":[0]", "\"nodes\":[3]"), vtkErrorCode::FileFormatError,
+    "a node that is not there");
+  RefusedText("circle.gltf", changed("{\"mesh\":0}", "{\"mesh\":0,\"children\":[0]}"),
+    vtkErrorCode::FileFormatError, "that has a parent");
+
+  // No polygons, and polygons of what is not there.
+  RefusedText("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1\nl 1 2\n",
+    vtkErrorCode::FileFormatError, "no polygons: 3 points");
+  RefusedText("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", vtkErrorCode::FileFormatError,
+    "number 4 of 3 points");
+  RefusedText("back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", vtkErrorCode::FileFormatError,
+    "number -4 of 3 points");
+  RefusedText("normal.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//7\n",
+    vtkErrorCode::FileFormatError, "number 7 of 1 normals");
+  RefusedText("face.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf a b c\n", vtkErrorCode::FileFormatError,
+    "no list of numbers");
+  RefusedText("far.vtk",
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+    "POLYGONS 1 4\n3 0 1 5000000\n",
+    vtkErrorCode::FileFormatError, "points that it does not have");
+  RefusedText("slash.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3/\n", vtkErrorCode::FileFormatError,
+    "no list of numbers");
+  RefusedText("offsets.vtk",
+    "# vtk DataFile Version 5.1\nmesh\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+    "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 9\nCONNECTIVITY vtktypeint64\n0 1 2\n",
+    vtkErrorCode::FileFormatError, "points that it does not have");
+  RefusedText("flat.ply",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
+    vtkErrorCode::FileFormatError, "x, y and z");
+  std::string bytes = FileText(Directory + "binary.ply");
+  bytes[bytes.size() - 4] = 4; // the last corner
+  RefusedText("far.ply", bytes, vtkErrorCode::FileFormatError, "point 4 of 4, counted from 0");
+  std::string text = FileText(Directory + "text.ply");
+  text.replace(text.rfind('3'), 1, "-1");
+  RefusedText("back.ply", text, vtkErrorCode::FileFormatError, "point -1 of 4");
+  RefusedText("cloud.ply",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+    "property float z\nend_header\n0 0 0\n",
+    vtkErrorCode::FileFormatError, "no polygons");
+  // A sanitizer ends the program where so much memory is asked for.
+  if (!IsMemorySanitized)
+  {
+    RefusedText("cells.vtk",
+      "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 "
+      "0\n"
+      "POLYGONS 10000000000 40000000000\n3 0 1 2\n",
+      vtkErrorCode::FileFormatError, "it cannot be read");
+  }
+  RefusedText("grid.vtk",
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n0 0 0\n",
+    vtkErrorCode::FileFormatError, "unstructured_grid");
+  RefusedText("many.ply",
+    "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n",
+    vtkErrorCode::PrematureEndOfFileError, "it ends early");
+  RefusedText("type.ply",
+    "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n0\n",
+    vtkErrorCode::FileFormatError, "damaged: 'property quad x'");
+  RefusedText("count.ply", "ply\nformat ascii 1.0\nelement vertex\nend_header\n0\n",
+    vtkErrorCode::FileFormatError, "damaged");
+  RefusedText("header.ply", "ply\nformat ascii 1.0\nelement vertex 1\n",
+    vtkErrorCode::PrematureEndOfFileError, "end_header");
+}
+
+//------------------------------------------------------------------------------
+// Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
+void TestTruncated()
+{
+  for (const char* name : { "tent.obj", "text.ply", "binary.ply", "text.stl", "binary.stl",
+         "text.vtk", "binary.vtk", "tent.vtp", "tent.glb", "tent.gltf" })
+  {
+    const std::string whole = FileText(Directory + name);
+    const std::string cut = Directory + "cut" + std::filesystem::path(name).extension().string();
+    int refused = 0;
+    for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 150)
+    {
+      WriteText(cut, whole.substr(0, length));
+      vtkNew<vtkReliefMeshReader> reader;
+      MessageKeeper messages(reader);
+      reader->SetFileName(cut.c_str());
+      reader->Update();
+      const bool failed = reader->GetErrorCode() != vtkErrorCode::NoError;
+      CHECK(failed
+          ? messages.OneError("Cannot read") && reader->GetOutput()->GetNumberOfCells() == 0
+          : reader->GetOutput()->GetNumberOfPolys() > 0);
+      refused += failed ? 1 : 0;
+    }
+    std::cout << "  " << name << ": " << refused << " refused" << std::endl;
+    CHECK(refused > 50);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int TestReliefMeshReader(int argc, char* argv[])
+{
+  Directory = EmptyDirectory(argc, argv, "TestReliefMeshReader");
+  vtkNew<Window> window;
+  const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkOutputWindow::SetInstance(window);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the window has all that it prints
+  WriteFiles();
+  TestFormats();
+  TestRefusals();
+  TestTruncated();
+  CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
+  std::cout << window->Texts;
+  vtkOutputWindow::SetInstance(before);
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
