@@ -23,6 +23,8 @@ ROOMS = {
     "Raster": ("vtkReliefRasterReader", "vtkReliefRasterWriter"),
 }
 BUILT = os.environ.get("RELIEFSHADING_ROOMS", " ".join(ROOMS)).split()
+# Written in Python.
+FUNCTIONS = ("Relief", "ReliefImage", "ReliefWarning", "raise_errors", "shade", "update")
 CLASSES = [name for room in BUILT for name in ROOMS[room]]
 
 
@@ -37,7 +39,7 @@ class TestImport(unittest.TestCase):
         self.assertTrue(issubclass(reliefshading.vtkImageReliefShading, vtkImageAlgorithm))
 
     def test_names(self):
-        self.assertEqual(sorted(reliefshading.__all__), sorted(["__version__", "parameters", *CLASSES]))
+        self.assertEqual(sorted(reliefshading.__all__), sorted(["__version__", "parameters", *FUNCTIONS, *CLASSES]))
         self.assertLessEqual(set(reliefshading.__all__), set(dir(reliefshading)))
         with self.assertRaises(AttributeError):
             reliefshading.vtkNoSuchClass

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays of NumPy as images of VTK, and back.
+
+An image's rows run upward by its spacing, an array's first row is on top. So an image of an array has
+a negative spacing along y: both have their samples in one order, and nothing is copied.
+"""
+
+import numpy as np
+from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+from ._keywords import several
+
+
+def plain_array(values, name):
+    """An array in the order and of a type that VTK can use where it is: the given one, if it is so."""
+    array = np.asarray(values)
+    kind = array.dtype.kind
+    if kind not in "biuf":
+        raise TypeError(f"{name}: an array of real numbers is expected, not of {array.dtype}")
+    if kind == "b":
+        return np.ascontiguousarray(array).view(np.uint8)
+    if kind == "f" and array.dtype.itemsize not in (4, 8):
+        array = array.astype(np.float32 if array.dtype.itemsize == 2 else np.float64)
+    return np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+
+
+def to_image(array, spacing=(1.0, 1.0)):
+    """An image upon the memory of a contiguous array of (rows, columns[, components])."""
+    rows, columns = array.shape[:2]
+    components = array.shape[2] if array.ndim > 2 else 1
+    scalars = create_vtk_array(get_vtk_array_type(array.dtype))
+    scalars.SetNumberOfComponents(components)
+    scalars.SetVoidArray(array.reshape(-1), array.size, 1)
+    scalars._numpy_reference = array  # as long as anybody has the scalars
+    image = vtkImageData()
+    image.SetDimensions(columns, rows, 1)
+    image.SetSpacing(spacing[0], -spacing[1], 1.0)
+    # The lower left sample is the origin of the world.
+    image.SetOrigin(0.0, (rows - 1) * spacing[1], 0.0)
+    image.GetPointData().SetScalars(scalars)
+    return image
+
+
+def to_upright_image(array):
+    """An image whose last row is the array's first, for those who do not look at the spacing."""
+    image = to_image(np.ascontiguousarray(array[::-1]))
+    image.SetSpacing(1.0, 1.0, 1.0)
+    image.SetOrigin(0.0, 0.0, 0.0)
+    return image
+
+
+def from_image(image, array):
+    """An array upon the memory of one of an image's arrays, its rows as they lie there."""
+    columns, rows, _ = image.GetDimensions()
+    values = vtk_to_numpy(array)
+    return values.reshape(rows, columns, -1) if values.ndim > 1 else values.reshape(rows, columns)
+
+
+def flat_shape(array, name):
+    """An array of two dimensions from one that has a third of length 1, first or last."""
+    if array.ndim == 3 and 1 in (array.shape[0], array.shape[2]):
+        array = array[..., 0] if array.shape[2] == 1 else array[0]
+    if array.ndim != 2:
+        raise ValueError(f"{name}: an array of (rows, columns) is expected, its shape is {array.shape}")
+    if array.size == 0:
+        raise ValueError(f"{name}: the array is empty, its shape is {array.shape}")
+    return array
+
+
+def read_heights(heights):
+    """The array of heights, and where a masked array has data, or None."""
+    covered = None
+    if isinstance(heights, np.ma.MaskedArray):
+        if np.ma.getmask(heights) is not np.ma.nomask:
+            covered = ~flat_shape(np.ma.getmaskarray(heights), "heights")
+        heights = np.ma.getdata(heights)
+    return flat_shape(plain_array(heights, "heights"), "heights"), covered
+
+
+def read_mask(mask, shape, covered):
+    """Bytes that are 0 where there is no data, or None."""
+    if mask is not None:
+        mask = flat_shape(np.asarray(mask), "mask")
+        if mask.dtype.kind not in "biuf":
+            raise TypeError(f"mask: an array of bools or numbers is expected, not of {mask.dtype}")
+        if mask.shape != shape:
+            raise ValueError(f"mask: the shape is {mask.shape}, that of the heights is {shape}")
+        mask = (mask != 0) & (mask == mask)  # NaN is no data
+    if covered is not None:
+        mask = covered if mask is None else mask & covered
+    return None if mask is None else np.ascontiguousarray(mask).view(np.uint8)
+
+
+def read_spacing(spacing):
+    pair = spacing if hasattr(spacing, "__len__") and not isinstance(spacing, str) else (spacing,) * 2
+    pair = several(pair, "spacing", (2,), "a number or a pair (dx, dy)")
+    if not all(0.0 < size < float("inf") for size in pair):
+        raise ValueError(f"spacing: {spacing!r} was given, numbers above 0 are expected")
+    return pair

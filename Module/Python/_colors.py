@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Colors by height and textures, from whatever they are given as."""
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+
+from ._arrays import plain_array, to_image
+from ._keywords import encoded_color, several
+
+
+def to_texture(values, name, spacing):
+    """A texture, first row on top, which is to be stretched over the relief."""
+    array = plain_array(values, name)
+    if np.asarray(values).dtype.kind == "b" or array.dtype not in (
+            np.uint8, np.uint16, np.float32, np.float64):
+        raise TypeError(f"{name}: uint8 or uint16 (sRGB), float32 or float64 (linear) is expected, "
+                        f"not {np.asarray(values).dtype}")
+    if array.ndim not in (2, 3) or (array.ndim == 3 and not 1 <= array.shape[2] <= 4) or not array.size:
+        raise ValueError(f"{name}: an array of (rows, columns) with 1 to 4 components is expected, "
+                         f"its shape is {array.shape}")
+    return to_image(array, spacing)
+
+
+def read_limits(limits, heights, covered, nodata):
+    """The heights of a colormap's ends."""
+    if limits is not None:
+        low, high = several(limits, "clim", (2,), "a pair (low, high)")
+        if not (np.isfinite(low) and np.isfinite(high) and low < high):
+            raise ValueError(f"clim: {limits!r} was given, two finite numbers are expected, the first "
+                             "the smaller")
+        return low, high
+    counts = np.isfinite(heights) if heights.dtype.kind == "f" else np.ones(heights.shape, bool)
+    if covered is not None:
+        counts &= covered != 0
+    if nodata is not None:
+        counts &= heights != nodata
+    if not counts.any():
+        return 0.0, 1.0
+    low = float(heights.min(where=counts, initial=_top(heights.dtype)))
+    high = float(heights.max(where=counts, initial=_bottom(heights.dtype)))
+    return (low, high) if low < high else (low, np.nextafter(low, np.inf) + abs(low) * 1e-6)
+
+
+def _top(dtype):
+    return np.inf if dtype.kind == "f" else np.iinfo(dtype).max
+
+
+def _bottom(dtype):
+    return -np.inf if dtype.kind == "f" else np.iinfo(dtype).min
+
+
+def to_table(cmap, limits):
+    """A table of VTK from a colormap; limits is a function that tells its ends."""
+    if isinstance(cmap, vtkScalarsToColors):
+        return cmap
+    if isinstance(cmap, str):
+        return _sampled(_named(cmap), limits())
+    if callable(cmap):
+        return _sampled(cmap, limits())
+    pairs = _stops(cmap)
+    if pairs is not None:
+        return _between(pairs)
+    array = np.asarray(cmap)
+    if array.ndim != 2 or array.shape[1] not in (3, 4) or len(array) == 0 or (
+            array.dtype.kind not in "fiu"):
+        raise TypeError("cmap: a name, a colormap, an array of (n, 3) or (n, 4), pairs of (height, "
+                        f"color) or a vtkScalarsToColors is expected, not {type(cmap).__name__}")
+    scale = 1.0 if array.dtype.kind == "f" else 255.0
+    return _table(array / scale, limits())
+
+
+def _named(name):
+    try:
+        from matplotlib import colormaps as maps
+        names, find = list(maps), maps.__getitem__
+    except ImportError:
+        try:
+            from matplotlib import cm
+            names, find = list(cm.cmap_d if hasattr(cm, "cmap_d") else cm._cmap_registry), cm.get_cmap
+        except ImportError:
+            raise ValueError(f"cmap: Matplotlib, which has the colormap {name!r}, is not installed; "
+                             "an array of colors will do") from None
+    try:
+        return find(name)
+    except (KeyError, ValueError):
+        from ._keywords import suggestion
+        raise ValueError(f"cmap: Matplotlib has no colormap {name!r}"
+                         + suggestion(name, names)) from None
+
+
+def _sampled(function, limits):
+    """A colormap of Matplotlib, which gives RGBA for 0 to 1, at as many places as it has colors."""
+    count = max(int(getattr(function, "N", 256)), 2)
+    colors = np.asarray(function(np.linspace(0.0, 1.0, count)), float)
+    if colors.ndim != 2 or colors.shape[1] not in (3, 4):
+        raise TypeError("cmap: the function gives no colors of (n, 3) or (n, 4)")
+    return _table(colors, limits)
+
+
+def _table(colors, limits):
+    """Equal steps of colors, sRGB codes from 0 to 1."""
+    if not (np.isfinite(colors).all() and colors.min() >= 0.0 and colors.max() <= 1.0):
+        raise ValueError("cmap: colors are sRGB codes from 0 to 1, or integers from 0 to 255")
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(len(colors))
+    table.SetTableRange(*limits)
+    for i, row in enumerate(colors):
+        table.SetTableValue(i, *row[:3], row[3] if len(row) > 3 else 1.0)
+    return table
+
+
+def _stops(cmap):
+    """Pairs of (height, color), or None."""
+    try:
+        pairs = [tuple(pair) for pair in cmap]
+    except TypeError:
+        return None
+    if not pairs or any(len(pair) != 2 for pair in pairs):
+        return None
+    return pairs
+
+
+def _between(pairs):
+    function = vtkColorTransferFunction()
+    function.SetColorSpaceToRGB()
+    for height, color in pairs:
+        (height,) = several((height,), "cmap", (1,), "a height")
+        codes = encoded_color(color, "cmap") if isinstance(color, str) else several(
+            color, "cmap", (3,), "a color, three sRGB codes or a name,")
+        if not (np.isfinite(height) and 0.0 <= min(codes) and max(codes) <= 1.0):
+            raise ValueError("cmap: finite heights and sRGB codes from 0 to 1 are expected, not "
+                             f"{(height, color)!r}")
+        function.AddRGBPoint(height, *codes)
+    return function

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The keywords of shade(): those that are written here, and one for each parameter of the table."""
+
+import difflib
+import inspect
+import math
+import numbers
+import operator
+import re
+
+from . import parameters
+from ._errors import listening
+
+# What is no parameter of the table: name, default, unit and what help tells.
+FIXED = (
+    ("spacing", 1.0, "length", "Distance of the samples, a number or (dx, dy), both above 0"),
+    ("mask", None, "", "Array of the heights' shape: where it is 0 or False there is no data"),
+    ("nodata", None, "heights", "The height that marks samples without data"),
+    ("sun", None, "degrees", "(azimuth, altitude[, angular diameter]), a dict of these with color, "
+     "intensity and on, or a vtkLight. Without any light: (315, 45) with intensity 0.95"),
+    ("suns", None, "degrees", "Several such suns"),
+    ("sun_at", None, "degrees", "(time, longitude, latitude[, convergence]): the sun of a moment, an "
+     "aware datetime or text of ISO 8601 with its zone; or a dict with elevation and refraction, too"),
+    ("lamp", None, "length", "(x, y, z) from the lower left sample, x to the right and y up the "
+     "array, a dict with position, color, intensity and on, or a vtkLight"),
+    ("lamps", None, "length", "Several such lamps"),
+    ("preset", None, "", "Lights that map makers know: default, multidirectional, sky-dome, "
+     "sun-and-sky, combined or igor; the last three go by sun"),
+    ("environment", None, "", "Light from all around: an array of (rows, columns[, 1 to 4]), zenith on "
+     "top, or a vtkReliefEnvironment"),
+    ("depth", None, "spacing", 'subsurface_depth by its short name, or "auto"'),
+    ("diffuse_texture", None, "", "Array of (rows, columns[, 1 to 4]) over the diffuse color: "
+     "uint8 and uint16 are sRGB-encoded, float32 and float64 linear; it is stretched over the relief"),
+    ("base_texture", None, "", "The same over the base color"),
+    ("specular_texture", None, "", "The same over the specular color"),
+    ("cmap", None, "", "Diffuse color by height: a name or colormap of Matplotlib, an array of "
+     "colors, pairs of (height, color), or a vtkScalarsToColors"),
+    ("clim", None, "heights", "Heights of the colormap's ends, (low, high); usually the least and the "
+     "greatest"),
+    ("layers", (), "", "Further results: illumination, thickness, shadow, normals, base, diffuse, "
+     'scatter, specular, or "all" (which leaves out shadow where there is no sun)'),
+    ("dtype", "uint8", "", "uint8, sRGB-encoded, or float32, linear and neither exposed nor clamped"),
+    ("alpha", True, "", "Whether there is a fourth component, which is 0 where there is no data"),
+    ("background", (0.0, 0.0, 0.0), "linear RGB", "Color where there is no data, of alpha=False"),
+    ("scene", None, "", "A vtkReliefScene to begin with; it is left alone"),
+)
+LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "scatter", "specular")
+FIXED_NAMES = tuple(row[0] for row in FIXED)
+# What the table has as a number and people want found for them.
+AUTOMATIC = ("height_scale", "exposure")
+# Heights are read once; all others may change from picture to picture.
+OF_HEIGHTS = ("spacing", "mask", "nodata")
+
+
+def snake(name):
+    return re.sub(r"(?<=.)([A-Z])", r"_\1", name).lower()
+
+
+def _table():
+    rows = {}
+    for row in parameters():
+        if row["owner"] != "Light":
+            prefix = "environment_" if row["owner"] == "Environment" else ""
+            rows[prefix + snake(row["name"])] = row
+    return rows
+
+
+TABLE = _table()
+OF_LIGHT = {snake(row["key"]): row for row in parameters() if row["owner"] == "Light"}
+
+
+# ------------------------------------------------------------------------------
+# Values of keywords.
+
+def suggestion(word, words):
+    near = difflib.get_close_matches(str(word).lower(), words, 1)
+    return f"; did you mean {near[0]!r}?" if near else ""
+
+
+def check_names(function, keywords, without=()):
+    known = [name for name in (*FIXED_NAMES, *TABLE) if name not in without]
+    for name in keywords:
+        if name not in known:
+            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}"
+                            + suggestion(name, known))
+
+
+def is_flag(value):
+    return isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
+
+
+def flag(value, name):
+    if not is_flag(value):
+        raise TypeError(f"{name}: True or False is expected, not {value!r}")
+    return bool(value)
+
+
+def number(value, name, expected="a number"):
+    """A float of a real number, which neither a bool nor a text is."""
+    if isinstance(value, (str, bytes)) or is_flag(value):
+        raise TypeError(f"{name}: {expected} is expected, not {value!r}")
+    if not isinstance(value, numbers.Real) and getattr(value, "ndim", None) != 0:
+        raise TypeError(f"{name}: {expected} is expected, not {type(value).__name__}")
+    try:
+        return float(value)
+    except (TypeError, OverflowError):
+        raise TypeError(f"{name}: {expected} is expected, not {value!r}") from None
+
+
+def several(value, name, counts, expected):
+    """Floats, of which there must be one of several counts."""
+    try:
+        items = list(value) if not isinstance(value, (str, bytes, dict)) else None
+    except TypeError:
+        items = None
+    if items is None or len(items) not in counts:
+        raise TypeError(f"{name}: {expected} is expected, not {value!r}")
+    return tuple(number(item, name, expected) for item in items)
+
+
+def _decoded(code):
+    return code / 12.92 if code <= 0.04045 else ((code + 0.055) / 1.055) ** 2.4
+
+
+def color(value, name):
+    """Linear RGB of three numbers, of one for grey, or of a name as CSS has it, "#rrggbb" too."""
+    if isinstance(value, str):
+        return tuple(_decoded(code) for code in encoded_color(value, name))
+    if getattr(value, "ndim", 0) == 0 and isinstance(value, numbers.Real):
+        return (number(value, name),) * 3
+    return several(value, name, (3,), "a color, three numbers or a name,")
+
+
+def encoded_color(text, name):
+    """The sRGB codes, 0 to 1, of a color's name."""
+    from vtkmodules.vtkCommonColor import vtkNamedColors
+    colors = vtkNamedColors()
+    if re.fullmatch(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})", text):
+        digits = text[1:] if len(text) == 7 else "".join(2 * digit for digit in text[1:])
+        return tuple(int(digits[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
+    if not colors.ColorExists(text):
+        raise ValueError(f"{name}: {text!r} is no color; a name as of CSS or #rrggbb is expected")
+    codes = colors.GetColor4ub(text)
+    return tuple(codes[i] / 255.0 for i in range(3))
+
+
+def word_of(choice):
+    """A choice's name as it is typed: FixedStep is fixed-step."""
+    return snake(choice).replace("_", "-")
+
+
+def _choice(value, name, choices):
+    words = [word_of(choice) for choice in choices]
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: one of {', '.join(words)} is expected, not {value!r}")
+    for i, choice in enumerate(choices):
+        if value in (choice, words[i], words[i].replace("-", "_")):
+            return i
+    raise ValueError(f"{name}: {value!r} was given, one of {', '.join(words)} is expected"
+                     + suggestion(value, words))
+
+
+def converted(row, value, name):
+    """The arguments of a parameter's setter."""
+    kind = row["kind"]
+    if kind == "choice":
+        return (_choice(value, name, row["choices"]),)
+    if kind == "flag":
+        return (flag(value, name),)
+    if kind == "count":
+        try:
+            if is_flag(value):
+                raise TypeError
+            return (operator.index(value),)
+        except TypeError:
+            raise TypeError(f"{name}: a whole number is expected, not {value!r}") from None
+    if kind == "color":
+        return color(value, name)
+    if kind == "range":
+        return several(value, name, (2,), "a pair of numbers")
+    if kind == "length" and isinstance(value, str) and value == "infinite":
+        return (math.inf,)
+    return (number(value, name),)
+
+
+def set_checked(name, instance, setter, arguments, *others):
+    """Calls a setter; what it refuses is a ValueError with its own message."""
+    with listening(instance, *others) as heard:
+        try:
+            result = getattr(instance, setter)(*arguments)
+        except OverflowError as error:
+            raise ValueError(f"{name}: {error}") from None
+    if heard.failed:
+        # The setter's own words, but for its name and for what becomes of its object.
+        text = re.sub(r"\A[A-Z]\w+: ", "", heard.errors[0])
+        text = re.sub(r"; [^;]* (kept|added)\Z", "", text.rstrip("."))
+        if "not enough memory" in text:
+            raise MemoryError(text)
+        raise ValueError(f"{name}: {text}")
+    return result
+
+
+# ------------------------------------------------------------------------------
+# What help() and inspect tell.
+
+def default_of(row):
+    return word_of(row["default"]) if row["kind"] == "choice" else row["default"]
+
+
+def signature(first, without=()):
+    Parameter = inspect.Parameter
+    keywords = [(name, default) for name, default, _, _ in FIXED]
+    keywords += [(name, default_of(row)) for name, row in TABLE.items()]
+    return inspect.Signature([
+        *[Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in first],
+        *[Parameter(name, Parameter.KEYWORD_ONLY, default=default)
+          for name, default in keywords if name not in without]])
+
+
+def _bounds(row):
+    low, high = row["minimum"], row["maximum"]
+    if row["kind"] == "choice":
+        return "one of " + ", ".join(word_of(choice) for choice in row["choices"])
+    if row["kind"] == "flag":
+        return "True or False"
+    what = {"count": "a whole number", "color": "linear RGB, a name or a grey, each component",
+            "range": "a pair, the first not the larger,"}.get(row["kind"], "a number")
+    if math.isfinite(low) and math.isfinite(high):
+        return f"{what} from {low:.9g} to {high:.9g}"
+    if math.isfinite(low):
+        return what + (" above " if row["minimum_open"] else " of at least ") + f"{low:.9g}"
+    return what
+
+
+def _paragraph(name, facts, text):
+    import textwrap
+    facts = "; ".join(fact for fact in facts if fact)
+    return f"{name}: {facts}\n" + textwrap.fill(text + ".", 96, initial_indent="    ",
+                                                subsequent_indent="    ")
+
+
+def described(without=()):
+    """A paragraph for each keyword."""
+    lines = []
+    for name, default, unit, text in FIXED:
+        if name not in without:
+            lines.append(_paragraph(name, (unit, f"default {default!r}"), text))
+    for name, row in TABLE.items():
+        if name not in without:
+            taken = _bounds(row) + (', or "auto"' if name in AUTOMATIC else "")
+            lines.append(_paragraph(
+                name, (row["unit"], taken, f"default {default_of(row)!r}"), row["help"]))
+    return "\n".join(lines)
