@@ -34,8 +34,8 @@ def shading_of(data):
 
 def long_work():
     """A picture that takes a while: many suns that stand low."""
-    shading = shading_of(image(700, 700))
-    for azimuth in range(0, 360, 5):
+    shading = shading_of(image(400, 400))
+    for azimuth in range(0, 360, 10):
         shading.GetScene().AddSun(azimuth, 2.0)
     return shading
 
@@ -201,7 +201,7 @@ class TestThreads(unittest.TestCase):
         # The next one begins anew.
         shading.GetScene().RemoveAllLights()
         update(shading)
-        self.assertEqual(shading.GetOutput().GetNumberOfPoints(), 490000)
+        self.assertEqual(shading.GetOutput().GetNumberOfPoints(), 160000)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """shade() gives what the classes give, whatever the array is like, and refuses what they refuse."""
 
+import ast
 import inspect
 import io
 import math
@@ -506,6 +507,24 @@ class TestKeywords(unittest.TestCase):
         self.assertIn("subsurface_depth", stream.getvalue())
         self.assertIn("sun", inspect.signature(Relief.shade).parameters)
         self.assertNotIn("spacing", inspect.signature(Relief.shade).parameters)
+
+    @unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(reliefshading.__file__), "py.typed")),
+                         "the package could not run when it was built")
+    def test_type_stubs(self):
+        """They have every name and every keyword, and no other."""
+        with open(reliefshading.__file__ + "i", encoding="utf-8") as file:
+            tree = ast.parse(file.read())
+        defined = {node.name: node for node in tree.body if hasattr(node, "name")}
+        names = set(reliefshading.__all__) - {"__version__"}
+        self.assertEqual(set(defined), names)
+        methods = {node.name: node for node in defined["Relief"].body if hasattr(node, "name")}
+        for stub, function, more in ((defined["shade"], shade, []), (methods["shade"], Relief.shade, []),
+                                     (methods["__init__"], shade, ["cache_memory_limit"])):
+            keywords = [name for name, parameter in inspect.signature(function).parameters.items()
+                        if parameter.kind is parameter.KEYWORD_ONLY]
+            self.assertEqual([argument.arg for argument in stub.args.kwonlyargs], more + keywords)
+        material = [node.name for node in defined["vtkReliefMaterial"].body if hasattr(node, "name")]
+        self.assertIn("SetSubsurfaceDepth", material)
 
     def test_refused(self):
         heights = hills(12, 10)
