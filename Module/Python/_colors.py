@@ -8,8 +8,40 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 from ._arrays import plain_array, to_image
 from ._keywords import encoded_color, several
 
+TEXTURES = {"diffuse_texture": "SetDiffuseTextureData", "base_texture": "SetBaseTextureData",
+            "specular_texture": "SetSpecularTextureData"}
 
-def to_texture(values, name, spacing):
+
+class Colors:
+    """Textures and the colormap of a filter or a mapper."""
+
+    def __init__(self):
+        self._limits = None
+
+    def forget(self):
+        """There are other heights."""
+        self._limits = None
+
+    def connect(self, host, values, heights):
+        host.StretchTexturesOn()
+        for name, setter in TEXTURES.items():
+            value = values.get(name)
+            getattr(host, setter)(None if value is None else to_texture(value, name, heights))
+        cmap, clim = values.get("cmap"), values.get("clim")
+        if cmap is None and clim is not None:
+            raise ValueError("clim: there is no cmap")
+        host.SetLookupTable(None if cmap is None else to_table(
+            cmap, lambda: self._find_limits(clim, heights)))
+
+    def _find_limits(self, clim, heights):
+        if clim is not None:
+            return read_limits(clim, heights.array, None, None)
+        if self._limits is None:
+            self._limits = read_limits(None, heights.array, heights.mask, heights.nodata)
+        return self._limits
+
+
+def to_texture(values, name, heights):
     """A texture, first row on top, which is to be stretched over the relief."""
     array = plain_array(values, name)
     if np.asarray(values).dtype.kind == "b" or array.dtype not in (
@@ -19,7 +51,8 @@ def to_texture(values, name, spacing):
     if array.ndim not in (2, 3) or (array.ndim == 3 and not 1 <= array.shape[2] <= 4) or not array.size:
         raise ValueError(f"{name}: an array of (rows, columns) with 1 to 4 components is expected, "
                          f"its shape is {array.shape}")
-    return to_image(array, spacing)
+    # Stretched, it lies as the heights lie in memory, whatever its own spacing says.
+    return to_image(np.ascontiguousarray(heights.turned(array)))
 
 
 def read_limits(limits, heights, covered, nodata):

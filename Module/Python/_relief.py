@@ -5,17 +5,14 @@ import threading
 
 import numpy as np
 
-from . import vtkImageReliefShading, vtkReliefScene
-from ._arrays import read_heights, read_mask, read_spacing, to_image
-from ._colors import read_limits, to_table, to_texture
+from . import vtkImageReliefShading
+from ._colors import Colors
 from ._errors import update
-from ._keywords import (AUTOMATIC, LAYERS, OF_HEIGHTS, TABLE, check_names, color, converted, flag,
-                        number, set_checked, suggestion)
-from ._lights import Environments, preset_of, set_environment, set_lights
+from ._heights import Heights
+from ._keywords import (LAYERS, OF_HEIGHTS, TABLE, check_names, color, flag, number, suggestion)
+from ._lights import Environments, preset_of
 from ._results import ReliefImage
-
-TEXTURES = {"diffuse_texture": "SetDiffuseTextureData", "base_texture": "SetBaseTextureData",
-            "specular_texture": "SetSpecularTextureData"}
+from ._scene import set_scene
 
 
 class Relief:
@@ -42,40 +39,27 @@ class Relief:
                              "of at least 0 is expected")
         self._filter.SetCacheMemoryLimit(int(1024 * limit))
         self._environments = Environments()
-        self._keywords = keywords
+        self._colors = Colors()
         self._of_heights = {}
-        self._kept = {}
         self.set_heights(heights, **{name: keywords.pop(name) for name in OF_HEIGHTS
                                      if name in keywords})
+        self._keywords = keywords
 
     def set_heights(self, heights, **keywords):
         """Takes other heights; spacing, mask and nodata stay unless they are given, too."""
         check_names("set_heights", keywords, [name for name in TABLE if name not in OF_HEIGHTS])
         known = {**self._of_heights, **keywords}
-        array, covered = read_heights(heights)
-        spacing = read_spacing(known.get("spacing", 1.0))
-        mask = read_mask(known.get("mask"), array.shape, covered)
-        nodata = known.get("nodata")
-        if nodata is not None:
-            nodata = number(nodata, "nodata")
-            # It is compared in the type of the heights.
-            nodata = float(np.float16(nodata)) if np.asarray(heights).dtype == np.float16 else nodata
+        read = Heights(heights, **known)
         with self._lock:
             self._of_heights = known
-            self._array, self._mask, self._spacing, self._nodata = array, mask, spacing, nodata
-            self._image = to_image(array, spacing)
-            self._mask_image = None if mask is None else to_image(mask, spacing)
-            self._kept = {}
-            self._filter.SetInputData(self._image)
-            self._filter.SetMaskData(self._mask_image)
-            self._filter.SetUseNoDataValue(nodata is not None)
-            if nodata is not None:
-                self._filter.SetNoDataValue(nodata)
+            self._heights = read
+            self._colors.forget()
+            read.connect(self._filter)
 
     @property
     def shape(self):
         """(rows, columns)."""
-        return self._array.shape
+        return self._heights.array.shape
 
     @property
     def scene(self):
@@ -92,67 +76,24 @@ class Relief:
         nodata."""
         check_names("shade", keywords, OF_HEIGHTS)
         with self._lock:
-            values = _combined(self._keywords, keywords)
-            scene = self._make_scene(values)
-            self._set_output(values, scene)
-            self._set_colors(values)
-            self._filter.Modified()  # the last picture is its result's
-            update(self._filter)
-            output = self._filter.GetOutput()
-            if output.GetNumberOfPoints() != self._array.size:
-                raise RuntimeError("the picture is empty: the update was ended")
-            result = ReliefImage(self._filter, _alpha(values), scene.GetHeightScale())
+            values = combined(self._keywords, keywords)
+            background = _background(values)
+            self._update(values)
+            result = ReliefImage(self._filter, self._heights, background)
             # The picture belongs to the result, and the next one gets memory of its own.
-            output.Initialize()
+            self._filter.GetOutput().Initialize()
             return result
 
-    # ------------------------------------------------------------------------------
-    def _make_scene(self, values):
-        """The filter's scene, set by keywords: all others are the table's or the given scene's."""
-        given = values.get("scene")
+    def _update(self, values):
+        """Lets the filter make the picture of keywords."""
         scene = self._filter.GetScene()
-        if given is None:
-            scene.SetEnvironment(None)
-            scene.RemoveAllLights()
-        else:
-            if not isinstance(given, vtkReliefScene):
-                raise TypeError(f"scene: a vtkReliefScene is expected, not {type(given).__name__}")
-            scene.CopySharingImage(given)
-        for name, row in TABLE.items():
-            if row["owner"] == "Environment" or (given is not None and name not in values):
-                continue
-            value = values.get(name, row["default"])
-            if name in AUTOMATIC and isinstance(value, str):
-                if value != "auto":
-                    raise ValueError(f'{name}: {value!r} was given, a number or "auto" is expected')
-                continue
-            owner = scene if row["owner"] == "Scene" else scene.GetMaterial()
-            set_checked(name, owner, "Set" + row["name"], converted(row, value, name))
-        self._set_automatic(scene, values)
-        preset = values.get("preset")
-        set_lights(scene, values, self._environments)
-        if preset is not None and "response" in values:
-            row = TABLE["response"]
-            set_checked("response", scene, "SetResponse", converted(row, values["response"], "response"))
-        set_environment(scene, values, TABLE)
-        return scene
-
-    def _set_automatic(self, scene, values):
-        depth = values.get("depth")
-        if depth == "auto":
-            scene.GetMaterial().AutomaticSubsurfaceDepthOn()
-        elif depth is not None:
-            if isinstance(depth, str):
-                raise ValueError(f'depth: {depth!r} was given, a number or "auto" is expected')
-            set_checked("depth", scene.GetMaterial(), "SetSubsurfaceDepth", (number(depth, "depth"),))
-        elif "subsurface_depth" in values and "automatic_subsurface_depth" not in values:
-            scene.GetMaterial().AutomaticSubsurfaceDepthOff()
-        if values.get("exposure") == "auto":
-            scene.AutomaticExposureOn()
-        if values.get("height_scale") == "auto":
-            arguments = (self._image, self._mask_image)
-            arguments += () if self._nodata is None else (self._nodata,)
-            set_checked("height_scale", scene, "FitHeightScale", arguments)
+        set_scene(scene, values, self._heights, self._environments)
+        self._set_output(values, scene)
+        self._colors.connect(self._filter, values, self._heights)
+        self._filter.Modified()  # the last picture is its result's
+        update(self._filter)
+        if self._filter.GetOutput().GetNumberOfPoints() != self._heights.array.size:
+            raise RuntimeError("the picture is empty: the update was ended")
 
     def _set_output(self, values, scene):
         try:
@@ -169,35 +110,8 @@ class Relief:
         for layer in LAYERS:
             getattr(self._filter, "SetGenerate" + layer.capitalize())(layer in wanted)
 
-    def _set_colors(self, values):
-        self._filter.StretchTexturesOn()
-        for name, setter in TEXTURES.items():
-            value = values.get(name)
-            getattr(self._filter, setter)(
-                None if value is None else self._keep(name, value, lambda: to_texture(
-                    value, name, self._spacing)))
-        cmap, clim = values.get("cmap"), values.get("clim")
-        if cmap is None and clim is not None:
-            raise ValueError("clim: there is no cmap")
-        self._filter.SetLookupTable(None if cmap is None else to_table(
-            cmap, lambda: self._limits(clim)))
 
-    def _limits(self, clim):
-        if clim is not None:
-            return read_limits(clim, self._array, None, None)
-        if "limits" not in self._kept:
-            self._kept["limits"] = read_limits(None, self._array, self._mask, self._nodata)
-        return self._kept["limits"]
-
-    def _keep(self, name, value, make):
-        """What was made of the same object the last time."""
-        kept = self._kept.get(name)
-        if kept is None or kept[0] is not value or not self._keywords.get(name) is value:
-            self._kept[name] = kept = (value, make())
-        return kept[1]
-
-
-def _combined(usual, special):
+def combined(usual, special):
     """Keywords of all pictures and of one: lights of the one replace those of all."""
     lights = ("sun", "suns", "sun_at", "lamp", "lamps", "preset", "environment")
     if any(name in special for name in lights):
@@ -213,7 +127,7 @@ def _combined(usual, special):
     return values
 
 
-def _alpha(values):
+def _background(values):
     """None, or the background of pictures without alpha."""
     alpha = flag(values.get("alpha", True), "alpha")
     background = color(values.get("background", (0.0, 0.0, 0.0)), "background")
@@ -228,8 +142,8 @@ def _layers(layers, scene):
     except (TypeError, AttributeError):
         raise TypeError(f"layers: names of layers are expected, not {layers!r}") from None
     if "all" in names:
-        shadow = [light for light in scene.GetLights() if not light.GetPositional()]
-        lit = shadow or not (scene.GetLights().GetNumberOfItems() or scene.GetEnvironment())
+        suns = [light for light in scene.GetLights() if not light.GetPositional()]
+        lit = suns or not (scene.GetLights().GetNumberOfItems() or scene.GetEnvironment())
         return [name for name in LAYERS if name != "shadow" or lit]
     for name in names:
         if name not in LAYERS:

@@ -22,15 +22,15 @@ class ReliefImage:
     save(name)   writes a file; notebooks show the picture by themselves
     """
 
-    def __init__(self, shading, background, height_scale):
+    def __init__(self, shading, heights, background):
         output = shading.GetOutput()
         points = output.GetPointData()
-        self.image = from_image(output, points.GetScalars())
+        self.image = heights.turned(from_image(output, points.GetScalars()))
         self._covered = None
         if background is not None:
             self._covered = self.mask
             self.image = _on_background(self.image, self._covered, background)
-        self.layers = {name: from_image(output, points.GetArray(name.capitalize()))
+        self.layers = {name: heights.turned(from_image(output, points.GetArray(name.capitalize())))
                        for name in LAYERS if points.HasArray(name.capitalize())}
         statistics = shading.GetStatistics()
         self.statistics = {
@@ -40,7 +40,7 @@ class ReliefImage:
             "lights_reused": statistics.GetLightsReused(),
             "effects": tuple(statistics.GetEffectNames().split()),
             "exposure": statistics.GetExposure(),
-            "height_scale": height_scale}
+            "height_scale": shading.GetScene().GetHeightScale()}
 
     @property
     def mask(self):
