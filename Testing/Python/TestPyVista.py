@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reliefs in PyVista: heights of every grid, the same picture everywhere, a light that is dragged."""
+
+import gc
+import importlib
+import os
+import sys
+import tempfile
+import unittest
+import unittest.mock
+import weakref
+
+import numpy as np
+import reliefshading
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+try:
+    import pyvista as pv
+    import reliefshading.pyvista as rs
+except ImportError:
+    pv = rs = None
+
+TERRAIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data",
+                       "jacksboro.tif")
+FILES = "vtkReliefRasterReader" in reliefshading.__all__
+LIVE = {"vtkReliefImageMapper", "vtkReliefLightWidget"} <= set(reliefshading.__all__)
+
+
+def heights(columns=50, rows=40):
+    x, y = np.meshgrid(np.arange(columns), np.arange(rows))
+    return (20.0 * np.sin(x / 6.0) * np.cos(y / 5.0) + 0.3 * x).astype(np.float32)
+
+
+def image(values=None, spacing=(2.0, 3.0, 1.0), origin=(10.0, 20.0, 0.0)):
+    """An image whose rows go up, as VTK's do."""
+    values = heights() if values is None else values
+    result = pv.ImageData(dimensions=(*values.shape[::-1], 1), spacing=spacing, origin=origin)
+    result["z"] = values.ravel()
+    return result
+
+
+def expected(dem, prepare=lambda shading: None):
+    shading = reliefshading.vtkImageReliefShading()
+    shading.SetInputData(dem)
+    shading.SetOutputScalarTypeToUnsignedChar()
+    prepare(shading)
+    shading.Update()
+    return vtk_to_numpy(shading.GetOutput().GetPointData().GetScalars())
+
+
+@unittest.skipUnless(pv, "PyVista is not installed")
+class TestShade(unittest.TestCase):
+    def test_is_the_filter(self):
+        dem = image()
+        before = dem.copy()
+        shaded = rs.shade(dem, sun=(300, 20), height_scale=2, layers="illumination")
+        self.assertIsInstance(shaded, pv.ImageData)
+        self.assertEqual((shaded.dimensions, shaded.spacing, shaded.origin),
+                         (dem.dimensions, dem.spacing, dem.origin))
+        self.assertEqual(shaded.active_scalars_name, "Shading")
+        self.assertEqual(sorted(shaded.array_names), ["Illumination", "Shading"])
+
+        def prepare(shading):
+            shading.GetScene().AddSun(300.0, 20.0)
+            shading.GetScene().SetHeightScale(2.0)
+
+        np.testing.assert_array_equal(shaded["Shading"], expected(dem, prepare))
+        self.assertEqual(dem, before)
+        # The same as an array's, whose first row is on top.
+        picture = reliefshading.shade(heights()[::-1], spacing=(2, 3), sun=(300, 20), height_scale=2)
+        difference = picture.image[::-1].reshape(-1, 4).astype(int) - shaded["Shading"]
+        self.assertLessEqual(abs(difference).max(), 1)
+
+    def test_lamps_and_directions_are_of_the_world(self):
+        dem = image()
+        dem.direction_matrix = np.array(((0.0, -1, 0), (1, 0, 0), (0, 0, 1)))
+
+        def prepare(shading):
+            shading.GetScene().AddSun(300.0, 20.0)
+
+        np.testing.assert_array_equal(rs.shade(dem, sun=(300, 20))["Shading"], expected(dem, prepare))
+
+    def test_which_scalars(self):
+        dem = image()
+        dem["other"] = heights().ravel() * 2
+        dem.set_active_scalars("z")
+        np.testing.assert_array_equal(rs.shade(dem)["Shading"], expected(image()))
+        np.testing.assert_array_equal(rs.shade(dem, scalars="other")["Shading"],
+                                      expected(image(heights() * 2)))
+        with self.assertRaisesRegex(ValueError, "no array 'none'; there are z, other"):
+            rs.shade(dem, scalars="none")
+        with self.assertRaisesRegex(ValueError, "no scalars"):
+            rs.shade(pv.ImageData(dimensions=(3, 3, 1)))
+        with self.assertRaises(TypeError):
+            rs.shade(pv.Sphere())
+        with self.assertRaises(ValueError):
+            rs.shade(pv.ImageData(dimensions=(1, 3, 4)).compute_cell_sizes(), scalars="none")
+
+    def test_cells(self):
+        cells = pv.ImageData(dimensions=(51, 41, 1), spacing=(2.0, 3.0, 1.0))
+        cells.cell_data["z"] = heights().ravel()
+        shaded = rs.shade(cells)
+        self.assertEqual(shaded.dimensions, cells.dimensions)
+        np.testing.assert_array_equal(shaded.cell_data["Shading"], expected(image(origin=(1, 1.5, 0))))
+        terrain = rs.drape(cells)
+        self.assertEqual(terrain.dimensions, (50, 40, 1))
+        self.assertEqual(terrain.bounds[:4], (1.0, 99.0, 1.5, 118.5))
+
+    def test_other_grids(self):
+        values = heights()
+        picture = expected(image(origin=(0, 0, 0))).reshape(40, 50, 4)
+        xs, ys = 2.0 * np.arange(50) + 4e5, 3.0 * np.arange(40) + 5e6
+        grids = {
+            "structured": pv.StructuredGrid(*np.meshgrid(xs, ys, indexing="xy"), values),
+            "across": pv.StructuredGrid(*np.meshgrid(xs, ys, indexing="ij"), values.T)}
+        for name, grid in grids.items():
+            with self.subTest(name):
+                shaded = rs.shade(grid)
+                self.assertIsInstance(shaded, pv.StructuredGrid)
+                np.testing.assert_array_equal(shaded.points, grid.points)
+                rows = np.rint((grid.points[:, 1] - 5e6) / 3.0).astype(int)
+                columns = np.rint((grid.points[:, 0] - 4e5) / 2.0).astype(int)
+                np.testing.assert_allclose(shaded["Shading"].astype(int), picture[rows, columns], atol=1)
+                terrain = rs.drape(grid, height_scale=2)
+                np.testing.assert_allclose(terrain.points[:, 2], 2.0 * grid.points[:, 2], atol=1e-5)
+        plane = pv.RectilinearGrid(2.0 * np.arange(50), 3.0 * np.arange(40))
+        plane["z"] = values.ravel()
+        np.testing.assert_array_equal(rs.shade(plane, scalars="z")["Shading"], picture.reshape(-1, 4))
+        bent = pv.StructuredGrid(*np.meshgrid(np.arange(50.0) ** 2, ys), values)
+        with self.assertRaisesRegex(ValueError, "equal steps"):
+            rs.shade(bent)
+
+    def test_looks(self):
+        dem = image()
+        plain = rs.shade(dem, diffuse_color="#ff6347", base_color="#102030")["Shading"]
+        np.testing.assert_array_equal(
+            rs.shade(dem, diffuse_color="tomato", base_color=pv.Color("#102030"))["Shading"], plain)
+        limits = dem.get_data_range()
+        table = pv.LookupTable("gist_earth", scalar_range=limits, n_values=256)
+        # PyVista rounds the colors of its tables down.
+        np.testing.assert_allclose(rs.shade(dem, cmap="gist_earth")["Shading"].astype(int),
+                                   rs.shade(dem, cmap=table)["Shading"], atol=2)
+        colors = np.random.default_rng(5).integers(0, 255, (40, 50, 3), np.uint8)
+        texture = pv.Texture(colors)
+        np.testing.assert_array_equal(
+            rs.shade(dem, diffuse_texture=texture)["Shading"],
+            rs.shade(dem, diffuse_texture=texture.to_image())["Shading"])
+        base = rs.shade(dem, base_texture=texture, layers="base")["Base"].reshape(40, 50, 3)
+        # The first row of a texture's array is on top.
+        decoded = np.where(colors <= 10, colors / 255 / 12.92, ((colors / 255 + 0.055) / 1.055) ** 2.4)
+        np.testing.assert_allclose(base[::-1], decoded, atol=1e-5)
+
+    def test_refused(self):
+        dem = image()
+        for kind, text, keywords in (
+                (TypeError, "did you mean 'depth'", {"dept": 3}),
+                (TypeError, "spacing", {"spacing": 3}),
+                (ValueError, "tolerance", {"tolerance": -1}),
+                (ValueError, "cmap", {"cmap": "gist_erth"}),
+                (ValueError, "[Cc]olor", {"diffuse_color": "reddishest"})):
+            with self.subTest(str(keywords)), self.assertRaisesRegex(kind, text):
+                rs.shade(dem, **keywords)
+        with self.assertRaisesRegex(ValueError, "drape"):
+            rs.update(dem)
+
+
+@unittest.skipUnless(pv, "PyVista is not installed")
+class TestDrape(unittest.TestCase):
+    def test_heights_and_colors(self):
+        dem = image()
+        look = dict(sun=(315, 25), height_scale=2.5, cmap="terrain")
+        terrain = rs.drape(dem, **look)
+        np.testing.assert_array_equal(terrain["Shading"], rs.shade(dem, **look)["Shading"])
+        warped = dem.warp_by_scalar(factor=2.5)
+        np.testing.assert_allclose(terrain.points, warped.points, rtol=1e-6)
+        np.testing.assert_array_equal(terrain["Heights"], dem["z"])
+        automatic = rs.drape(dem, height_scale="auto")
+        scene = reliefshading.vtkReliefScene()
+        fitted = scene.FitHeightScale(dem)
+        np.testing.assert_allclose(automatic.points[:, 2], fitted * dem["z"], rtol=1e-5)
+
+    def test_holes(self):
+        values = heights()
+        values[10:15, 20:30] = np.nan
+        terrain = rs.drape(image(values))
+        self.assertTrue(np.isfinite(terrain.points).all())
+        self.assertEqual(np.count_nonzero(terrain["Shading"][:, 3] == 0), 50)
+        hidden = (terrain.point_data["vtkGhostType"] & 2) != 0
+        np.testing.assert_array_equal(hidden, np.isnan(values).ravel())
+
+    def test_update(self):
+        dem = image()
+        terrain = rs.drape(dem, sun=(315, 25), cmap="terrain", height_scale=2)
+        rs.update(terrain, sun=(90, 25))
+        np.testing.assert_array_equal(
+            terrain["Shading"], rs.shade(dem, sun=(90, 25), cmap="terrain", height_scale=2)["Shading"])
+        scene = reliefshading.vtkReliefScene()
+        scene.AddSun(180.0, 40.0)
+        scene.SetHeightScale(3.0)
+        rs.update(terrain, scene)
+        np.testing.assert_array_equal(terrain["Shading"], rs.shade(dem, scene=scene, cmap="terrain")["Shading"])
+        np.testing.assert_allclose(terrain.points[:, 2], 3.0 * dem["z"], rtol=1e-5)
+        gone = weakref.ref(rs._Draped.find(terrain))
+        del terrain
+        gc.collect()
+        self.assertIsNone(gone())
+
+
+@unittest.skipUnless(pv and FILES, "PyVista or readers are not there")
+class TestRead(unittest.TestCase):
+    def test_terrain(self):
+        dem = rs.read(TERRAIN)
+        self.assertEqual((dem.array_names, dem.dimensions), (["Heights"], (403, 344, 1)))
+        self.assertAlmostEqual(dem.spacing[0], 74.6, 1)
+        place = rs.read(TERRAIN, georeference=True)
+        self.assertIn("geo:transform", place.field_data)
+        self.assertEqual(rs.read(TERRAIN, spacing=(30, 40)).spacing, (30.0, 40.0, 1.0))
+        self.assertEqual(rs.read(TERRAIN, spacing=30).spacing, (30.0, 30.0, 1.0))
+        with self.assertRaisesRegex(RuntimeError, "missing.tif"):
+            rs.read("missing.tif")
+
+    def test_is_upright(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "heights.tif")
+            picture = reliefshading.shade(np.arange(12.0).reshape(3, 4), layers="all")
+            picture.image = np.arange(12, dtype=np.float32).reshape(3, 4, 1)
+            picture.save(name)
+            dem = rs.read(name)
+            np.testing.assert_array_equal(dem["Heights"].reshape(3, 4)[::-1], picture.image[..., 0])
+
+
+@unittest.skipUnless(pv and LIVE, "PyVista or the mapper is not there")
+class TestLive(unittest.TestCase):
+    def plotter(self, dem, **look):
+        plotter = pv.Plotter(off_screen=True, window_size=(300, 240))
+        plotter.background_color = "black"
+        relief = rs.add_relief(plotter, dem, **look)
+        self.addCleanup(plotter.close)
+        return plotter, relief
+
+    def test_shows_what_is_shaded(self):
+        dem = image(spacing=(1.0, 1.0, 1.0), origin=(0, 0, 0))
+        for look in ({}, {"sun": (90, 30), "cmap": "terrain"}, {"preset": "multidirectional"}):
+            with self.subTest(look):
+                plotter, relief = self.plotter(dem, **look)
+                plotter.enable_parallel_projection()
+                plotter.camera.parallel_scale = 20.0  # six pixels a sample
+                plotter.show(auto_close=False, interactive=False)
+                shown = plotter.screenshot(return_img=True)[3::6, 3::6]
+                colors = rs.shade(dem, **look)["Shading"].reshape(40, 50, 4)[::-1, :, :3]
+                difference = np.abs(shown[1:-1, 1:-1].astype(int) - colors[1:-1, 1:-1])
+                self.assertLess(difference.mean(), 12.0)
+                self.assertEqual(relief.scene.GetLights().GetNumberOfItems(),
+                                 4 if "preset" in look else 1)
+
+    def test_update(self):
+        _, relief = self.plotter(image(), sun=(315, 30), height_scale=2)
+        relief.update(diffuse_color="tomato")
+        self.assertEqual(relief.scene.GetHeightScale(), 2.0)
+        self.assertNotEqual(relief.scene.GetMaterial().GetDiffuseColor(), (1.0, 1.0, 1.0))
+        with self.assertRaisesRegex(TypeError, "layers"):
+            relief.update(layers="all")
+        with self.assertRaisesRegex(ValueError, "tolerance"):
+            relief.update(tolerance=-1)
+
+    def test_light_widget(self):
+        dem, calls = image(), []
+        plotter = pv.Plotter(shape=(1, 2), off_screen=True, window_size=(400, 200))
+        relief = rs.add_relief(plotter, dem, sun=(315, 30))
+        plotter.subplot(0, 1)
+        _, terrain = rs.add_drape(plotter, dem, sun=(315, 30))
+        before = terrain["Shading"].copy()
+
+        def follow():
+            calls.append(1)
+            rs.update(terrain, relief)
+
+        rs.add_light_widget(plotter, relief, follow)
+        gc.collect()
+        plotter.show(auto_close=False, interactive=False)
+        widget = relief.widgets[0]
+        at, interactor = [0.0, 0.0, 0.0], plotter.iren.interactor
+        self.assertTrue(widget.GetLightRepresentation().GetDotPosition(at))
+        relief.renderer.SetWorldPoint(*at, 1.0)
+        relief.renderer.WorldToDisplay()
+        x, y = (round(c) for c in relief.renderer.GetDisplayPoint()[:2])
+        for event, dx, dy in (("LeftButtonPressEvent", 0, 0), ("MouseMoveEvent", 20, -20),
+                              ("MouseMoveEvent", 40, -40), ("LeftButtonReleaseEvent", 40, -40)):
+            interactor.SetEventInformation(x + dx, y + dy, 0, 0, "\0", 0, None)
+            interactor.InvokeEvent(event)
+        self.assertGreater(len(calls), 0)
+        self.assertFalse(np.array_equal(terrain["Shading"], before))
+        np.testing.assert_array_equal(terrain["Shading"], rs.shade(dem, scene=relief.scene)["Shading"])
+        plotter.close()
+        with self.assertRaises(TypeError):
+            rs.add_light_widget(plotter, terrain)
+
+
+@unittest.skipUnless(pv, "PyVista is not installed")
+class TestAccessor(unittest.TestCase):
+    def test_is_registered(self):
+        """As PyVista 0.48 and later have it; here by a register of ours where there is none."""
+        registered = {}
+
+        def register(name, kind):
+            return lambda accessor: registered.setdefault((name, kind), accessor)
+
+        with unittest.mock.patch.object(pv, "register_dataset_accessor", register, create=True):
+            module = importlib.reload(sys.modules["reliefshading.pyvista"])
+        accessor = registered["relief", pv.ImageData](image())
+        np.testing.assert_array_equal(accessor.shade(sun=(0, 45))["Shading"],
+                                      module.shade(image(), sun=(0, 45))["Shading"])
+        self.assertIn("Shading", accessor.drape().array_names)
+
+
+if __name__ == "__main__":
+    unittest.main()
