@@ -24,8 +24,8 @@ class Relief:
 
     Takes the keywords of reliefshading.shade(), which hold for every picture. Those of shade() itself
     hold for its picture alone. Kept between pictures: the prepared heights (about 8 bytes a sample),
-    the light on them (4 bytes a sample and light, up to cache_memory_limit MiB) and the lights of an
-    environment. An array that VTK can use where it lies is not copied: do not change it while there is
+    the light of the last one (4 bytes a sample and light, up to cache_memory_limit MiB) and the lights
+    of an environment. An array that VTK can use where it lies is not copied: do not change it while there is
     a Relief of it, or give it to set_heights() again. Several threads may share one; they take turns.
     """
 

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reliefs in PyVista: heights of every grid, the same picture everywhere, a light that is dragged."""
 
+import contextlib
 import gc
 import importlib
+import io
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -20,8 +23,8 @@ try:
 except ImportError:
     pv = rs = None
 
-TERRAIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data",
-                       "jacksboro.tif")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+TERRAIN = os.path.join(ROOT, "Examples", "Data", "jacksboro.tif")
 FILES = "vtkReliefRasterReader" in reliefshading.__all__
 LIVE = {"vtkReliefImageMapper", "vtkReliefLightWidget"} <= set(reliefshading.__all__)
 
@@ -231,6 +234,22 @@ class TestRead(unittest.TestCase):
 
 @unittest.skipUnless(pv and LIVE, "PyVista or the mapper is not there")
 class TestLive(unittest.TestCase):
+    def test_the_page(self):
+        """The example of Python.md."""
+        page = os.path.join(ROOT, "Documentation", "Python.md")
+        with open(page, encoding="utf-8") as file:
+            blocks = re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
+        (block,) = [block for block in blocks if "reliefshading.pyvista" in block]
+        printed = io.StringIO()
+        folder = os.getcwd()
+        try:
+            os.chdir(ROOT)
+            with contextlib.redirect_stdout(printed):
+                exec(block, {})
+        finally:
+            os.chdir(folder)
+        self.assertEqual(printed.getvalue().splitlines(), re.findall("# prints (.*)", block))
+
     def plotter(self, dem, **look):
         plotter = pv.Plotter(off_screen=True, window_size=(300, 240))
         plotter.background_color = "black"

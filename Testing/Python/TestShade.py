@@ -97,6 +97,29 @@ class TestShade(unittest.TestCase):
         np.testing.assert_allclose(
             result.layers["normals"], picture(shading, "Normals", False), atol=1e-6)
 
+    def test_images_of_vtk(self):
+        heights = hills()
+        picture = shade(heights, spacing=(2, 3), sun=(300, 20), layers="normals", nodata=heights[3, 4])
+        for down in (True, False):
+            image = to_image(heights, (2.0, 3.0), down)
+            result = shade(image, sun=(300, 20), layers="normals", nodata=heights[3, 4])
+            difference = result.image.astype(int) - picture.image
+            self.assertLessEqual(abs(difference).max(), 0 if down else 1)
+            np.testing.assert_allclose(result.layers["normals"], picture.layers["normals"], atol=1e-6)
+            np.testing.assert_array_equal(result.mask, picture.mask)
+            masked = shade(image, mask=picture.mask & (heights > 20))
+            np.testing.assert_array_equal(masked.mask, picture.mask & (heights > 20))
+            colors = np.random.default_rng(2).integers(0, 255, (60, 80, 3), np.uint8)
+            np.testing.assert_array_equal(
+                shade(image, base_texture=colors, layers="base").layers["base"],
+                shade(heights, base_texture=colors, layers="base").layers["base"])
+        with self.assertRaisesRegex(ValueError, "spacing: the image has its own"):
+            shade(image, spacing=3)
+        with self.assertRaisesRegex(ValueError, "heights: the image has no point scalars"):
+            shade(vtkImageData())
+        with self.assertRaisesRegex(ValueError, "heights: one slice"):
+            shade(to_image(np.zeros((4, 5, 2), np.float32), (1.0, 1.0)))
+
     def test_row_0_is_north(self):
         heights = np.zeros((41, 41))
         heights[20] = 5.0

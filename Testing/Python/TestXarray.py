@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arrays of xarray are shaded as they lie on the map."""
 
+import contextlib
+import io
 import os
+import re
 import unittest
 
 import numpy as np
@@ -21,8 +24,8 @@ try:
 except ImportError:
     rioxarray = None
 
-TERRAIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data",
-                       "jacksboro.tif")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+TERRAIN = os.path.join(ROOT, "Examples", "Data", "jacksboro.tif")
 
 
 def heights(rows=40, columns=50):
@@ -128,6 +131,22 @@ class TestXarray(unittest.TestCase):
         relief = dem.relief.prepare(diffuse_color="tomato")
         np.testing.assert_array_equal(relief.shade(sun=(90, 30)),
                                       dem.relief.shade(sun=(90, 30), diffuse_color="tomato"))
+
+    def test_the_page(self):
+        """The example of Python.md."""
+        page = os.path.join(ROOT, "Documentation", "Python.md")
+        with open(page, encoding="utf-8") as file:
+            blocks = re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
+        (block,) = [block for block in blocks if "reliefshading.xarray" in block]
+        printed = io.StringIO()
+        folder = os.getcwd()
+        try:
+            os.chdir(ROOT)
+            with contextlib.redirect_stdout(printed):
+                exec(block, {})
+        finally:
+            os.chdir(folder)
+        self.assertEqual(printed.getvalue().splitlines(), re.findall("# prints (.*)", block))
 
     def test_refused(self):
         uneven = on_map(heights(), np.arange(50) ** 2, self.YS)
