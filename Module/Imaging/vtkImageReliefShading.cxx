@@ -81,10 +81,10 @@ float* AddLayer(vtkImageData* image, bool wanted, const char* name, int componen
   {
     return nullptr;
   }
-  vtkNew<vtkFloatArray> layer;
+  // Where there is no memory, VTK's own arrays would report it as well.
+  vtkSmartPointer<vtkDataArray> none;
+  const auto layer = MakePicture<vtkFloatArray>(none, image->GetNumberOfPoints(), components);
   layer->SetName(name);
-  layer->SetNumberOfComponents(components);
-  layer->SetNumberOfTuples(image->GetNumberOfPoints());
   image->GetPointData()->AddArray(layer);
   return layer->GetPointer(0);
 }
