@@ -93,7 +93,7 @@ def read_mask(mask, shape, covered):
 
 
 def read_spacing(spacing):
-    pair = spacing if hasattr(spacing, "__len__") and not isinstance(spacing, str) else (spacing,) * 2
+    pair = spacing if np.ndim(spacing) or isinstance(spacing, str) else (spacing, spacing)
     pair = several(pair, "spacing", (2,), "a number or a pair (dx, dy)")
     if not all(0.0 < size < float("inf") for size in pair):
         raise ValueError(f"spacing: {spacing!r} was given, numbers above 0 are expected")

@@ -28,8 +28,8 @@ class Colors:
             value = values.get(name)
             getattr(host, setter)(None if value is None else to_texture(value, name, heights))
         cmap, clim = values.get("cmap"), values.get("clim")
-        if cmap is None and clim is not None:
-            raise ValueError("clim: there is no cmap")
+        if clim is not None and (cmap is None or isinstance(cmap, vtkScalarsToColors)):
+            raise ValueError(f"clim: {'there is no cmap' if cmap is None else 'the table has its own'}")
         host.SetLookupTable(None if cmap is None else to_table(
             cmap, lambda: self._find_limits(clim, heights)))
 

@@ -39,7 +39,8 @@ class Heights:
             nodata = number(nodata, "nodata")
             # It is compared in the type of the heights.
             if getattr(heights, "dtype", None) == np.float16:
-                nodata = float(np.float16(nodata))
+                with np.errstate(over="ignore"):
+                    nodata = float(np.float16(nodata))
         self.nodata = nodata
 
     def connect(self, host):

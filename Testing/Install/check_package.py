@@ -27,3 +27,9 @@ assert os.path.realpath(reliefshading.__file__).startswith(prefix), reliefshadin
 with open("/proc/self/maps", encoding="utf-8") as maps:
     libraries = {line.split()[-1] for line in maps if "libvtkReliefShading" in line}
 assert libraries and all(path.startswith(prefix) for path in libraries), libraries
+
+# What is written in Python is there as well, and so are its types.
+picture = reliefshading.shade([[7.0] * 3] * 3, sun=(90, 30), tolerance=0.0, dtype="float32")
+assert picture[1, 1, 0] == middle, picture[1, 1]
+folder = os.path.dirname(reliefshading.__file__)
+assert {"__init__.pyi", "py.typed", "pyvista.py", "xarray.py"} <= set(os.listdir(folder)), os.listdir(folder)

@@ -580,6 +580,7 @@ class TestKeywords(unittest.TestCase):
             (ValueError, 'exposure: .*"auto"', {"exposure": "bright"}),
             (ValueError, "there is no cmap", {"clim": (0, 1)}),
             (ValueError, "clim", {"clim": (1, 1), "cmap": np.eye(3)}),
+            (ValueError, "clim: the table", {"clim": (0, 1), "cmap": vtkLookupTable()}),
             (TypeError, "cmap", {"cmap": 3}),
             (TypeError, "scene", {"scene": 3}),
             (TypeError, "alpha", {"alpha": 0}),
@@ -606,6 +607,28 @@ class TestKeywords(unittest.TestCase):
         result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
                                 check=False)
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    @unittest.skipUnless(sys.platform == "linux", "memory cannot be limited")
+    def test_not_enough_memory(self):
+        """Wherever it runs out there is a MemoryError or a picture, and nothing is printed."""
+        program = """if True:
+            import re, resource, numpy as np, reliefshading as r
+            heights = np.add.outer(np.arange(2500.0, dtype="f4"), np.arange(2500.0, dtype="f4"))
+            r.shade(heights[:99, :99])
+            size = int(re.search(r"VmSize:\\s+(\\d+)", open("/proc/self/status").read())[1]) * 1024
+            got = set()
+            for more in (4, 30, 50, 60, 70, 80, 100, 150, 1000):
+                resource.setrlimit(resource.RLIMIT_AS, (size + more * 2 ** 20, resource.RLIM_INFINITY))
+                try:
+                    got.add(r.shade(heights, layers=("illumination", "diffuse")).shape)
+                except MemoryError as error:
+                    got.add(type(error).__name__)
+            print(sorted(map(str, got)))
+        """
+        result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                                check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(result.stdout, "['(2500, 2500, 4)', 'MemoryError']\n")
 
 
 if __name__ == "__main__":
