@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colors by height and textures, from whatever they are given as."""
+"""Colours by height and textures, from whatever they are given as."""
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
@@ -98,7 +98,7 @@ def to_table(cmap, limits):
     if array.ndim != 2 or array.shape[1] not in (3, 4) or len(array) == 0 or (
             array.dtype.kind not in "fiu"):
         raise TypeError("cmap: a name, a colormap, an array of (n, 3) or (n, 4), pairs of (height, "
-                        f"color) or a vtkScalarsToColors is expected, not {type(cmap).__name__}")
+                        f"colour) or a vtkScalarsToColors is expected, not {type(cmap).__name__}")
     scale = 1.0 if array.dtype.kind == "f" else 255.0
     return _table(array / scale, limits())
 
@@ -113,7 +113,7 @@ def _named(name):
             names, find = list(cm.cmap_d if hasattr(cm, "cmap_d") else cm._cmap_registry), cm.get_cmap
         except ImportError:
             raise ValueError(f"cmap: Matplotlib, which has the colormap {name!r}, is not installed; "
-                             "an array of colors will do") from None
+                             "an array of colours will do") from None
     try:
         return find(name)
     except (KeyError, ValueError):
@@ -123,18 +123,18 @@ def _named(name):
 
 
 def _sampled(function, limits):
-    """A colormap of Matplotlib, which gives RGBA for 0 to 1, at as many places as it has colors."""
+    """A colormap of Matplotlib, which gives RGBA for 0 to 1, at as many places as it has colours."""
     count = max(int(getattr(function, "N", 256)), 2)
     colors = np.asarray(function(np.linspace(0.0, 1.0, count)), float)
     if colors.ndim != 2 or colors.shape[1] not in (3, 4):
-        raise TypeError("cmap: the function gives no colors of (n, 3) or (n, 4)")
+        raise TypeError("cmap: the function gives no colours of (n, 3) or (n, 4)")
     return _table(colors, limits)
 
 
 def _table(colors, limits):
-    """Equal steps of colors, sRGB codes from 0 to 1."""
+    """Equal steps of colours, sRGB codes from 0 to 1."""
     if not (np.isfinite(colors).all() and colors.min() >= 0.0 and colors.max() <= 1.0):
-        raise ValueError("cmap: colors are sRGB codes from 0 to 1, or integers from 0 to 255")
+        raise ValueError("cmap: colours are sRGB codes from 0 to 1, or integers from 0 to 255")
     table = vtkLookupTable()
     table.SetNumberOfTableValues(len(colors))
     table.SetTableRange(*limits)
@@ -144,7 +144,7 @@ def _table(colors, limits):
 
 
 def _stops(cmap):
-    """Pairs of (height, color), or None."""
+    """Pairs of (height, colour), or None."""
     try:
         pairs = [tuple(pair) for pair in cmap]
     except TypeError:
@@ -160,7 +160,7 @@ def _between(pairs):
     for height, color in pairs:
         (height,) = several((height,), "cmap", (1,), "a height")
         codes = encoded_color(color, "cmap") if isinstance(color, str) else several(
-            color, "cmap", (3,), "a color, three sRGB codes or a name,")
+            color, "cmap", (3,), "a colour, three sRGB codes or a name,")
         if not (np.isfinite(height) and 0.0 <= min(codes) and max(codes) <= 1.0):
             raise ValueError("cmap: finite heights and sRGB codes from 0 to 1 are expected, not "
                              f"{(height, color)!r}")

@@ -117,7 +117,7 @@ def find_scalars(dem, scalars):
 
 # ------------------------------------------------------------------------------
 def look_of(keywords):
-    """Keywords as shade() takes them from colors, colormaps and textures of PyVista."""
+    """Keywords as shade() takes them from colours, colormaps and textures of PyVista."""
     look = dict(keywords)
     for name in COLORS:
         if isinstance(look.get(name), (str, pv.Color)):
@@ -135,7 +135,7 @@ def look_of(keywords):
 
 
 def _array_of(texture):
-    """The colors of a texture, first row on top."""
+    """The colours of a texture, first row on top."""
     image = texture.to_image() if isinstance(texture, pv.Texture) else texture
     if not isinstance(image, vtkImageData):
         return texture

@@ -29,19 +29,19 @@ FIXED = (
     ("environment", None, "", "Light from all around: an array of (rows, columns[, 1 to 4]), zenith on "
      "top, or a vtkReliefEnvironment"),
     ("depth", None, "spacing", 'subsurface_depth by its short name, or "auto"'),
-    ("diffuse_texture", None, "", "Array of (rows, columns[, 1 to 4]) over the diffuse color: "
+    ("diffuse_texture", None, "", "Array of (rows, columns[, 1 to 4]) over the diffuse colour: "
      "uint8 and uint16 are sRGB-encoded, float32 and float64 linear; it is stretched over the relief"),
-    ("base_texture", None, "", "The same over the base color"),
-    ("specular_texture", None, "", "The same over the specular color"),
-    ("cmap", None, "", "Diffuse color by height: a name or colormap of Matplotlib, an array of "
-     "colors, pairs of (height, color), or a vtkScalarsToColors"),
+    ("base_texture", None, "", "The same over the base colour"),
+    ("specular_texture", None, "", "The same over the specular colour"),
+    ("cmap", None, "", "Diffuse colour by height: a name or colormap of Matplotlib, an array of "
+     "colours, pairs of (height, colour), or a vtkScalarsToColors"),
     ("clim", None, "heights", "Heights of the colormap's ends, (low, high); usually the least and the "
      "greatest"),
     ("layers", (), "", "Further results: illumination, thickness, shadow, normals, base, diffuse, "
      'scatter, specular, or "all" (which leaves out shadow where there is no sun)'),
     ("dtype", "uint8", "", "uint8, sRGB-encoded, or float32, linear and neither exposed nor clamped"),
     ("alpha", True, "", "Whether there is a fourth component, which is 0 where there is no data"),
-    ("background", (0.0, 0.0, 0.0), "linear RGB", "Color where there is no data, of alpha=False"),
+    ("background", (0.0, 0.0, 0.0), "linear RGB", "Colour where there is no data, of alpha=False"),
     ("scene", None, "", "A vtkReliefScene to begin with; it is left alone"),
 )
 LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "scatter", "specular")
@@ -128,18 +128,18 @@ def color(value, name):
         return tuple(_decoded(code) for code in encoded_color(value, name))
     if getattr(value, "ndim", 0) == 0 and isinstance(value, numbers.Real):
         return (number(value, name),) * 3
-    return several(value, name, (3,), "a color, three numbers or a name,")
+    return several(value, name, (3,), "a colour, three numbers or a name,")
 
 
 def encoded_color(text, name):
-    """The sRGB codes, 0 to 1, of a color's name."""
+    """The sRGB codes, 0 to 1, of a colour's name."""
     from vtkmodules.vtkCommonColor import vtkNamedColors
     colors = vtkNamedColors()
     if re.fullmatch(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})", text):
         digits = text[1:] if len(text) == 7 else "".join(2 * digit for digit in text[1:])
         return tuple(int(digits[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
     if not colors.ColorExists(text):
-        raise ValueError(f"{name}: {text!r} is no color; a name as of CSS or #rrggbb is expected")
+        raise ValueError(f"{name}: {text!r} is no colour; a name as of CSS or #rrggbb is expected")
     codes = colors.GetColor4ub(text)
     return tuple(codes[i] / 255.0 for i in range(3))
 

@@ -21,7 +21,7 @@ ValueError: a value is out of its range. TypeError: it is of the wrong type, or 
 keyword. MemoryError, and RuntimeError for all else that fails, with VTK's message. Other threads run
 meanwhile; Ctrl+C ends it.
 
-Colors are linear RGB, names as CSS has them ("#c08040", too), or a number for a grey. Angles are in
+Colours are linear RGB, names as CSS has them ("#c08040", too), or a number for a grey. Angles are in
 degrees, azimuths clockwise from north. For many pictures of the same heights take a Relief.
 
 Keywords, with unit, range and default:

@@ -129,7 +129,7 @@ def update(terrain, scene=None, **look):
 def add_drape(plotter, dem, *, scalars=None, **look):
     """Adds the surface of heights with its picture to a plotter; returns the actor and the surface.
 
-    dem may be what drape() has returned. The colors are shown as they are, not lit again.
+    dem may be what drape() has returned. The colours are shown as they are, not lit again.
     """
     terrain = dem if _Draped.knows(dem) else drape(dem, scalars=scalars, **look)
     if terrain is dem and look:

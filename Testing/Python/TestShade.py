@@ -574,7 +574,7 @@ class TestKeywords(unittest.TestCase):
             (TypeError, "layers", {"layers": 3}),
             (ValueError, "dtype", {"dtype": "int16"}),
             (ValueError, "dtype", {"dtype": "nonsense"}),
-            (ValueError, "no color", {"diffuse_color": "reddishest"}),
+            (ValueError, "no colour", {"diffuse_color": "reddishest"}),
             (ValueError, 'depth: .*"auto"', {"depth": "automatic"}),
             (ValueError, "give one of them", {"depth": 1, "subsurface_depth": 2}),
             (ValueError, 'exposure: .*"auto"', {"exposure": "bright"}),
