@@ -77,12 +77,25 @@ def suggestion(word, words):
     return f"; did you mean {near[0]!r}?" if near else ""
 
 
+# What others call it.
+ELSEWHERE = {
+    "azimuth": "sun", "azdeg": "sun", "altitude": "sun", "altdeg": "sun", "angle": "sun", "time": "sun_at",
+    "light": "lamp", "lights": "suns", "ambient": "base_color", "color": "diffuse_color",
+    "tint": "cmap", "colormap": "cmap", "vmin": "clim", "vmax": "clim", "texture": "diffuse_texture",
+    "z_factor": "height_scale", "zfactor": "height_scale", "vert_exag": "height_scale",
+    "scale": "height_scale", "exaggeration": "height_scale", "dx": "spacing", "dy": "spacing",
+    "resolution": "spacing", "cellsize": "spacing", "nodata_value": "nodata", "no_data": "nodata",
+    "brightness": "exposure", "steps": "number_of_steps", "offset": "offset_mode", "floor": "floor_height"}
+
+
 def check_names(function, keywords, without=()):
     known = [name for name in (*FIXED_NAMES, *TABLE) if name not in without]
     for name in keywords:
         if name not in known:
+            other = ELSEWHERE.get(name.lower())
             raise TypeError(f"{function}() got an unexpected keyword argument {name!r}"
-                            + suggestion(name, known))
+                            + (f"; did you mean {other!r}?" if other in known
+                               else suggestion(name, known)))
 
 
 def is_flag(value):

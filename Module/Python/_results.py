@@ -9,6 +9,8 @@ from ._arrays import from_image, to_upright_image
 from ._errors import checked
 from ._keywords import LAYERS
 
+LARGEST_SHOWN = 2048  # of either side, in a notebook
+
 
 class ReliefImage:
     """A shaded relief.
@@ -65,7 +67,11 @@ class ReliefImage:
 
     @property
     def __array_interface__(self):
-        return self.image.__array_interface__
+        # With its strides, so that Pillow asks for the bytes.
+        return {**self.image.__array_interface__, "strides": self.image.strides}
+
+    def tobytes(self):
+        return self.image.tobytes()
 
     def __array__(self, dtype=None, copy=None):
         if dtype is not None and np.dtype(dtype) != self.image.dtype:
@@ -94,10 +100,16 @@ class ReliefImage:
         return (255.0 * np.clip(codes, 0.0, 1.0) + 0.5).astype(np.uint8)
 
     def _repr_png_(self):
+        """For notebooks: of a large picture every second, third ... sample."""
+        step = -(-max(self.shape[:2]) // LARGEST_SHOWN)
+        return self._png(self.encoded()[::step, ::step])
+
+    @staticmethod
+    def _png(codes):
         from vtkmodules.vtkIOImage import vtkPNGWriter
         writer = vtkPNGWriter()
         writer.WriteToMemoryOn()
-        writer.SetInputData(to_upright_image(self.encoded()))
+        writer.SetInputData(to_upright_image(codes))
         checked(writer, writer.Write)
         return bytes(memoryview(writer.GetResult()))
 
@@ -110,6 +122,8 @@ class ReliefImage:
         array = self.image
         if extension in (".png", ".jpg", ".jpeg", ".bmp", ".gif", ".webp"):
             array = self.encoded()
+        elif extension in (".exr", ".hdr") and array.dtype == np.uint8:
+            raise ValueError(f"{extension} holds linear numbers: shade with dtype=\"float32\"")
         writer = _writer(extension)
         writer.SetFileName(name)
         writer.SetInputData(to_upright_image(array))

@@ -50,6 +50,7 @@ class TestImport(unittest.TestCase):
     def test_loads_what_is_used(self):
         """The filter brings neither OpenGL nor the libraries of image formats."""
         program = ("import reliefshading; reliefshading.vtkImageReliefShading(); "
+                   "reliefshading.shade([[1, 2], [3, 4]]); "
                    "print(open('/proc/self/maps', encoding='utf-8').read())")
         maps = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True,
                               text=True).stdout
