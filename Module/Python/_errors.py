@@ -8,6 +8,7 @@ import sys
 import threading
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _pipeline
@@ -97,12 +98,23 @@ def parts_of(instance):
 def update(algorithm):
     """Updates an algorithm of VTK; other threads of Python run meanwhile, and Ctrl+C ends it.
 
-    Raises RuntimeError with the message of whatever failed, here or before in the pipeline, or
+    They do not where a part of the pipeline is written in Python itself. Raises RuntimeError with the message of whatever failed, here or before in the pipeline, or
     MemoryError. Warnings become a ReliefWarning. Nothing is printed.
     """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"a vtkAlgorithm is expected, not {type(algorithm).__name__}")
-    checked(algorithm, _pipeline.update, algorithm)
+    checked(algorithm, run, algorithm)
+
+
+def run(algorithm):
+    """Update() without the interpreter's lock, unless parts of the pipeline are written in Python:
+    VTK calls those without taking it."""
+    for part in parts_of(algorithm):
+        if part is not None and (part.IsA("vtkPythonAlgorithm")
+                                 or part.GetClassName().startswith("vtkProgrammable")):
+            vtkAlgorithm.GetExecutive(algorithm).Update()
+            return
+    _pipeline.update(algorithm)
 
 
 def checked(instance, function, *arguments):
@@ -183,12 +195,21 @@ def _let_raise(module):
 
 def _raising(kind, name):
     original = getattr(kind, name)
+    text = original.__doc__ or ""
 
     def method(self, *arguments):
         if name == "Update" and not arguments:
-            return checked(self, _pipeline.update, self)
+            return checked(self, run, self)
         return checked(self, original, self, *arguments)
 
-    method.__name__ = name
-    method.__doc__ = original.__doc__
-    return method
+    def of_class(*arguments):
+        """What it works on is among its arguments."""
+        told = [argument for argument in arguments if isinstance(argument, vtkObject)]
+        if not told:
+            return original(*arguments)
+        return checked(told[0], original, *arguments)
+
+    result = method if text.startswith(name + "(self") else of_class
+    result.__name__ = name
+    result.__doc__ = text
+    return result if result is method else staticmethod(result)

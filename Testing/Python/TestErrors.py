@@ -14,7 +14,10 @@ import numpy as np
 import reliefshading
 from reliefshading import Relief, ReliefWarning, raise_errors, update, vtkImageReliefShading
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkFiltersProgrammable import vtkProgrammableFilter
 from vtkmodules.vtkRenderingCore import vtkLight
 
 
@@ -38,6 +41,23 @@ def long_work():
     for azimuth in range(0, 360, 10):
         shading.GetScene().AddSun(azimuth, 2.0)
     return shading
+
+
+class Source(VTKPythonAlgorithmBase):
+    """A source that is written in Python."""
+
+    def __init__(self, components=1):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
+        self.components = components
+
+    def RequestInformation(self, _, __, outputs):
+        outputs.GetInformationObject(0).Set(
+            vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), (0, 29, 0, 19, 0, 0), 6)
+        return 1
+
+    def RequestData(self, _, __, outputs):
+        vtkImageData.GetData(outputs, 0).ShallowCopy(image(components=self.components))
+        return 1
 
 
 class TestErrors(unittest.TestCase):
@@ -68,6 +88,24 @@ class TestErrors(unittest.TestCase):
         last.SetMaskConnection(before.GetOutputPort())
         with self.assertRaisesRegex(RuntimeError, "2 components"):
             update(last)
+
+    def test_sources_in_python(self):
+        """Which run only with the interpreter's lock."""
+        programmable = vtkProgrammableFilter()
+        programmable.SetInputData(image())
+        programmable.SetExecuteMethod(
+            lambda: programmable.GetOutput().ShallowCopy(programmable.GetInput()))
+        for source in (Source(), programmable):
+            shading = vtkImageReliefShading()
+            shading.SetInputConnection(source.GetOutputPort())
+            update(shading)
+            self.assertEqual(shading.GetOutput().GetNumberOfPoints(), 600)
+            with raise_errors():
+                source.Modified()
+                shading.Update()
+        shading.SetInputConnection((source := Source(2)).GetOutputPort())
+        with self.assertRaisesRegex(RuntimeError, "2 components"):
+            update(shading)
 
     def test_observers_of_others_stay(self):
         shading, heard = shading_of(image(components=2)), []
@@ -141,6 +179,10 @@ class TestErrors(unittest.TestCase):
             reader.SetFileName(os.path.join(folder, "missing.tif"))
             with self.assertRaisesRegex(RuntimeError, "missing.tif"):
                 reader.Update()
+            environment = reliefshading.vtkReliefEnvironment()
+            with self.assertRaisesRegex(RuntimeError, "missing.exr"):
+                reliefshading.vtkReliefEnvironmentImage.Read(
+                    environment, os.path.join(folder, "missing.exr"))
             scene = vtkReliefSceneFile()
             scene.SetFileName(os.path.join(folder, "missing.json"))
             with self.assertRaisesRegex(RuntimeError, "missing.json"):
