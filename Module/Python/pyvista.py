@@ -134,7 +134,9 @@ def add_drape(plotter, dem, *, scalars=None, **look):
     terrain = dem if _Draped.knows(dem) else drape(dem, scalars=scalars, **look)
     if terrain is dem and look:
         update(terrain, **look)
-    actor = plotter.add_mesh(terrain, scalars="Shading", rgb=True, lighting=False)
+    # Ambient light alone leaves colours as they are, and VTK's shadows fail on meshes without any.
+    actor = plotter.add_mesh(terrain, scalars="Shading", rgb=True, lighting=True, ambient=1.0,
+                             diffuse=0.0, specular=0.0)
     return actor, terrain
 
 

@@ -282,6 +282,30 @@ class TestLive(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "tolerance"):
             relief.update(tolerance=-1)
 
+    def test_a_drape_is_not_lit_again(self):
+        """Its colours are those of a mesh that is not lit, with shadows in the plotter, too."""
+        dem = image()
+        terrain = rs.drape(dem, cmap="terrain")
+
+        def shown(shadows, **keywords):
+            plotter = pv.Plotter(off_screen=True, window_size=(200, 150))
+            if keywords:
+                plotter.add_mesh(terrain, scalars="Shading", rgb=True, **keywords)
+            else:
+                _, added = rs.add_drape(plotter, terrain)
+                self.assertIs(added, terrain)
+            if shadows:
+                plotter.enable_shadows()
+            plotter.show(auto_close=False, interactive=False)
+            picture = plotter.screenshot(return_img=True)
+            plotter.close()
+            return picture
+
+        plain = shown(False, lighting=False)
+        self.assertGreater(plain.std(), 0.0)
+        np.testing.assert_array_equal(shown(False), plain)
+        np.testing.assert_array_equal(shown(True), plain)
+
     def test_light_widget(self):
         dem, calls = image(), []
         plotter = pv.Plotter(shape=(1, 2), off_screen=True, window_size=(400, 200))
