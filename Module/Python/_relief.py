@@ -10,7 +10,7 @@ from ._colors import Colors
 from ._errors import update
 from ._heights import Heights
 from ._keywords import (LAYERS, OF_HEIGHTS, TABLE, check_names, color, flag, number, suggestion)
-from ._lights import Environments, preset_of
+from ._lights import PRESETS, Environments, preset_of
 from ._results import ReliefImage
 from ._scene import set_scene
 
@@ -23,7 +23,8 @@ class Relief:
             relief.shade(sun=(azimuth, 30)).save(f"{azimuth}.png")
 
     Takes the keywords of reliefshading.shade(), which hold for every picture. Those of shade() itself
-    hold for its picture alone. Kept between pictures: the prepared heights (about 8 bytes a sample),
+    hold for its picture alone; lights among them replace all lights, but a preset that goes by a sun
+    stays where a sun is given. Kept between pictures: the prepared heights (about 8 bytes a sample),
     the light of the last one (4 bytes a sample and light, up to cache_memory_limit MiB) and the lights
     of an environment. An array that VTK can use where it lies is not copied: do not change it while there is
     a Relief of it, or give it to set_heights() again. Several threads may share one; they take turns.
@@ -112,10 +113,16 @@ class Relief:
 
 
 def combined(usual, special):
-    """Keywords of all pictures and of one: lights of the one replace those of all."""
-    lights = ("sun", "suns", "sun_at", "lamp", "lamps", "preset", "environment")
-    if any(name in special for name in lights):
+    """Keywords of all pictures and of one: lights of the one replace those of all, but for a preset
+    that goes by a sun."""
+    suns = ("sun", "suns", "sun_at")
+    lights = (*suns, "lamp", "lamps", "preset", "environment")
+    given = [name for name in lights if name in special]
+    if given:
+        preset = usual.get("preset")
         usual = {name: value for name, value in usual.items() if name not in lights}
+        if preset is not None and set(given) <= set(suns) and PRESETS[preset_of(preset)][0]:
+            usual["preset"] = preset
     depths = ("depth", "subsurface_depth", "automatic_subsurface_depth")
     if any(name in special for name in depths):
         usual = {name: value for name, value in usual.items() if name not in depths}

@@ -114,6 +114,22 @@ class TestShade(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "heights: one slice"):
             shade(to_image(np.zeros((4, 5, 2), np.float32), (1.0, 1.0)))
 
+    def test_lights_of_vtk(self):
+        sun = vtkLight()
+        sun.SetPosition(1.0, 1.0, 1.0)
+        sun.SetIntensity(0.5)
+        lamp = vtkLight()
+        lamp.PositionalOn()
+        lamp.SetPosition(30.0, 20.0, 50.0)
+        lamp.SetDiffuseColor(1.0, 0.5, 0.0)
+        got = shade(hills(), suns=[sun], lamp=lamp, dtype="float32").image
+        altitude = np.degrees(np.arctan(0.5 ** 0.5))
+        np.testing.assert_allclose(got, shade(
+            hills(), sun=dict(azimuth=45, altitude=altitude, intensity=0.5), dtype="float32",
+            lamp=dict(position=(30, 20, 50), color=(1, 0.5, 0))).image, atol=1e-3)
+        off = shade(hills(), sun=dict(azimuth=0, altitude=45, on=False)).image
+        self.assertEqual(off[..., :3].max(), 0)
+
     def test_row_0_is_north(self):
         heights = np.zeros((41, 41))
         heights[20] = 5.0

@@ -52,6 +52,11 @@ class TestRelief(unittest.TestCase):
         relief = Relief(hills(), preset="sky-dome")
         np.testing.assert_array_equal(relief.shade(sun=(0, 45)).image, shade(hills(), sun=(0, 45)).image)
         np.testing.assert_array_equal(relief.shade().image, shade(hills(), preset="sky-dome").image)
+        relief = Relief(hills(), preset="combined")
+        np.testing.assert_array_equal(relief.shade(sun=(0, 45)).image,
+                                      shade(hills(), preset="combined", sun=(0, 45)).image)
+        np.testing.assert_array_equal(relief.shade(lamp=(9, 9, 99)).image,
+                                      shade(hills(), lamp=(9, 9, 99)).image)
 
     def test_other_heights(self):
         relief = Relief(hills(), spacing=2.0, cmap=np.array(((0, 0, 255), (255, 0, 0))))
