@@ -48,6 +48,8 @@ LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "
 FIXED_NAMES = tuple(row[0] for row in FIXED)
 # What the table has as a number and people want found for them.
 AUTOMATIC = ("height_scale", "exposure")
+# What a keyword does to another that is not given.
+TURNS = {"subsurface_depth": "turns automatic_subsurface_depth off", "floor_height": "turns use_floor on"}
 # Heights are read once; all others may change from picture to picture.
 OF_HEIGHTS = ("spacing", "mask", "nodata")
 
@@ -237,7 +239,7 @@ def _bounds(row):
     if row["kind"] == "flag":
         return "True or False"
     what = {"count": "a whole number", "color": "linear RGB, a name or a grey, each component",
-            "range": "a pair, the first not the larger,"}.get(row["kind"], "a number")
+            "range": "a pair, the first not the larger"}.get(row["kind"], "a number")
     if math.isfinite(low) and math.isfinite(high):
         return f"{what} from {low:.9g} to {high:.9g}"
     if math.isfinite(low):
@@ -260,7 +262,8 @@ def described(without=()):
             lines.append(_paragraph(name, (unit, f"default {default!r}"), text))
     for name, row in TABLE.items():
         if name not in without:
-            taken = _bounds(row) + (', or "auto"' if name in AUTOMATIC else "")
-            lines.append(_paragraph(
-                name, (row["unit"], taken, f"default {default_of(row)!r}"), row["help"]))
+            taken = _bounds(row) + (', or "auto"' if name in AUTOMATIC else "") + (
+                ', or "infinite"' if row["kind"] == "length" else "")
+            lines.append(_paragraph(name, (
+                row["unit"], taken, f"default {default_of(row)!r}", TURNS.get(name)), row["help"]))
     return "\n".join(lines)

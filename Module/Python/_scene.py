@@ -27,6 +27,8 @@ def set_scene(scene, values, heights, environments):
         owner = scene if row["owner"] == "Scene" else scene.GetMaterial()
         set_checked(name, owner, "Set" + row["name"], converted(row, value, name))
     _set_automatic(scene, values, heights)
+    if "floor_height" in values and "use_floor" not in values:
+        scene.GetMaterial().UseFloorOn()
     set_lights(scene, values, environments)
     if values.get("preset") is not None and "response" in values:
         row = TABLE["response"]

@@ -10,8 +10,8 @@ _HELP = '''Shades an array of heights: light, soft shadow, translucency and high
     picture.save("relief.png")
 
 heights is an array of (rows, columns), or (1, rows, columns), or (rows, columns, 1): row 0 is on top,
-which is north. Any real type will do; float16, bool and what is not in C order or of the machine's
-byte order are copied once, others are used where they lie. Of a masked array, what is masked has no
+which is north. Any real type will do; float16, longdouble and what is not in C order or of the
+machine's byte order are copied once, others are used where they lie. Of a masked array, what is masked has no
 data; neither have NaN and infinite heights.
 
 Returns a ReliefImage, which is an array of (rows, columns, 4), uint8 or float32, shows itself in

@@ -125,6 +125,16 @@ class TestKeywords(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, rf"{name}: .*is expected, not"):
             shade(heights, **{name: wrong}, **sky)
 
+    def test_what_a_keyword_turns(self):
+        relief = Relief(hills(12, 10))
+        relief.shade(floor_height=-3, subsurface_depth=2)
+        material = relief.scene.GetMaterial()
+        self.assertTrue(material.GetUseFloor() and not material.GetAutomaticSubsurfaceDepth())
+        relief.shade(floor_height=-3, use_floor=False, subsurface_depth=2, automatic_subsurface_depth=True)
+        self.assertFalse(material.GetUseFloor() or not material.GetAutomaticSubsurfaceDepth())
+        relief.shade()
+        self.assertFalse(material.GetUseFloor() or not material.GetAutomaticSubsurfaceDepth())
+
     def test_fixed_keywords_are_told(self):
         for name, parameter in inspect.signature(shade).parameters.items():
             if name != "heights":
