@@ -10,6 +10,8 @@
 #include "vtkIndent.h"
 #include "vtkReliefShadingModule.h" // For export macro
 
+#include "UsualLight.h"
+
 #include <array>
 #include <functional>
 #include <iosfwd>
@@ -109,12 +111,10 @@ struct Parameter
   std::function<void(vtkObject*, const Values&)> Set;
 };
 
-/// Of the sun in a scene without lights and environment, and of new suns: as cartographers have it.
-constexpr double UsualAzimuth = 315.0;
-constexpr double UsualAltitude = 45.0;
-/// Of the former only: what faces it squarely is not pure white yet.
-constexpr double UsualIntensity = 0.95;
-constexpr double UsualTurbidity = 3.0;
+using relief::UsualAltitude;
+using relief::UsualAzimuth;
+using relief::UsualIntensity;
+using relief::UsualTurbidity;
 
 /// In the order of files.
 VTKRELIEFSHADING_EXPORT const std::vector<Parameter>& All();

@@ -3,39 +3,28 @@
 #define vtkReliefAngles_h
 
 /// @file
-/// Angles in degrees, exact at multiples of 90: a sun due east must not shine a little from the
-/// north. Private to the module.
+/// Angles in degrees as VTK's classes take them, exact at multiples of 90. Private to the module.
 
 #include "vtkMath.h"
+
+#include "Angles.h"
 
 #include <cmath>
 
 inline double vtkReliefSinDegrees(double degrees)
 {
-  double turn = std::remainder(degrees, 360.0); // exact, in [-180, 180]
-  if (turn > 90.0)
-  {
-    turn = 180.0 - turn;
-  }
-  else if (turn < -90.0)
-  {
-    turn = -180.0 - turn;
-  }
-  return std::sin(vtkMath::RadiansFromDegrees(turn));
+  return relief::SinDegrees(degrees);
 }
 
 inline double vtkReliefCosDegrees(double degrees)
 {
-  return vtkReliefSinDegrees(90.0 - std::abs(std::remainder(degrees, 360.0)));
+  return relief::CosDegrees(degrees);
 }
 
 /// The unit vector toward an azimuth, clockwise from +y, and an altitude above the horizon.
 inline void vtkReliefDirection(double azimuth, double altitude, double direction[3])
 {
-  const double level = vtkReliefCosDegrees(altitude);
-  direction[0] = vtkReliefSinDegrees(azimuth) * level;
-  direction[1] = vtkReliefCosDegrees(azimuth) * level;
-  direction[2] = vtkReliefSinDegrees(altitude);
+  relief::DirectionOf(azimuth, altitude, direction);
 }
 
 /// The angles of a vector, which need not be a unit vector: the azimuth in [0, 360), the altitude.

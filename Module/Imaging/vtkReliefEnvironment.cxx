@@ -7,11 +7,11 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkReliefAngles.h"
 #include "vtkSmartPointer.h"
 
+#include "Angles.h"
 #include "ClearSky.h"
-#include "RadianceMap.h"
+#include "EnvironmentMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,9 +101,7 @@ vtkImageData* vtkReliefEnvironment::GetImage()
 //------------------------------------------------------------------------------
 void vtkReliefEnvironment::SetImageToWhiteDome()
 {
-  relief::RadianceMap dome(1, 2);
-  dome.Set(0, 0, glm::dvec3(1.0));
-  this->SetImage(MakeImage(dome));
+  this->SetImage(MakeImage(relief::WhiteDome()));
   this->ImageSource = WhiteDome;
 }
 
@@ -116,8 +114,9 @@ void vtkReliefEnvironment::SetImageToClearSky(double azimuth, double altitude, d
     return;
   }
   glm::dvec3 sun;
-  vtkReliefDirection(azimuth, altitude, &sun.x);
-  this->SetImage(MakeImage(relief::ClearSky(sun, turbidity, 256, 128)));
+  relief::DirectionOf(azimuth, altitude, &sun.x);
+  this->SetImage(
+    MakeImage(relief::ClearSky(sun, turbidity, relief::ClearSkyColumns, relief::ClearSkyRows)));
   this->ImageSource = ClearSky;
   this->ClearSkyParameters[0] = azimuth;
   this->ClearSkyParameters[1] = altitude;

@@ -18,7 +18,7 @@
 #include "vtkReliefMaterial.h"
 #include "vtkReliefSetters.h"
 
-#include "ClearSky.h"
+#include "LightPresets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +45,40 @@ vtkSmartPointer<vtkLight> CopyOf(vtkLight* light)
   }
   parameters::Copy(light, copy);
   return copy;
+}
+
+// A preset in the place of all lights.
+void SetLights(vtkReliefScene* scene, const relief::LightPreset& preset)
+{
+  scene->RemoveAllLights();
+  for (const relief::LightPreset::Sun& from : preset.suns)
+  {
+    vtkLight* sun = scene->AddSun(from.azimuth, from.altitude, from.diameter);
+    sun->SetDiffuseColor(from.color.x, from.color.y, from.color.z);
+    sun->SetIntensity(from.intensity);
+  }
+  vtkSmartPointer<vtkReliefEnvironment> sky;
+  if (preset.sky != relief::LightPreset::Sky::None)
+  {
+    sky = vtkSmartPointer<vtkReliefEnvironment>::New();
+    sky->SetNumberOfSamples(preset.skySamples);
+    sky->SetSampling(static_cast<int>(preset.skySampling));
+    sky->SetIntensity(preset.skyIntensity);
+  }
+  if (preset.sky == relief::LightPreset::Sky::WhiteDome)
+  {
+    sky->SetImageToWhiteDome();
+  }
+  else if (sky)
+  {
+    sky->SetImageToClearSky(
+      preset.suns.front().azimuth, preset.suns.front().altitude, parameters::UsualTurbidity);
+  }
+  scene->SetEnvironment(sky);
+  if (preset.response)
+  {
+    scene->SetResponse(*preset.response);
+  }
 }
 }
 
@@ -292,33 +326,19 @@ vtkReliefEnvironment* vtkReliefScene::GetEnvironment()
 //------------------------------------------------------------------------------
 void vtkReliefScene::SetLightsToDefault()
 {
-  this->RemoveAllLights();
-  this->SetEnvironment(nullptr);
-  this->AddSun(parameters::UsualAzimuth, parameters::UsualAltitude)
-    ->SetIntensity(parameters::UsualIntensity);
+  SetLights(this, relief::DefaultLights());
 }
 
 //------------------------------------------------------------------------------
 void vtkReliefScene::SetLightsToMultidirectional()
 {
-  this->RemoveAllLights();
-  this->SetEnvironment(nullptr);
-  for (double azimuth : { 225.0, 270.0, 315.0, 360.0 })
-  {
-    this->AddSun(azimuth, 30.0)->SetIntensity(0.25);
-  }
+  SetLights(this, relief::MultidirectionalLights());
 }
 
 //------------------------------------------------------------------------------
 void vtkReliefScene::SetLightsToSkyDome()
 {
-  this->RemoveAllLights();
-  vtkNew<vtkReliefEnvironment> dome;
-  dome->SetImageToWhiteDome();
-  dome->SetNumberOfSamples(128);
-  // Summits see more of it than level ground does, up to 1.6 times where slopes are steep.
-  dome->SetIntensity(0.62);
-  this->SetEnvironment(dome);
+  SetLights(this, relief::SkyDomeLights());
 }
 
 //------------------------------------------------------------------------------
@@ -329,17 +349,7 @@ void vtkReliefScene::SetLightsToSunAndSky(double azimuth, double altitude)
     vtkErrorMacro("SetLightsToSunAndSky: " << refusal->Reason() << "; the lights are kept.");
     return;
   }
-  const double turbidity = parameters::UsualTurbidity;
-  this->RemoveAllLights();
-  vtkLight* sun = this->AddSun(azimuth, altitude, 0.533);
-  const glm::dvec3 color = relief::SunColor({ 0.0, 0.0, vtkReliefSinDegrees(altitude) }, turbidity);
-  sun->SetDiffuseColor(color.x, color.y, color.z);
-  sun->SetIntensity(0.55);
-  vtkNew<vtkReliefEnvironment> sky;
-  sky->SetImageToClearSky(azimuth, altitude, turbidity);
-  sky->SetSamplingToImportance();
-  sky->SetIntensity(0.2);
-  this->SetEnvironment(sky);
+  SetLights(this, relief::SunAndSkyLights(azimuth, altitude));
 }
 
 //------------------------------------------------------------------------------
@@ -350,10 +360,7 @@ void vtkReliefScene::SetLightsToCombined(double azimuth, double altitude)
     vtkErrorMacro("SetLightsToCombined: " << refusal->Reason() << "; the lights are kept.");
     return;
   }
-  this->RemoveAllLights();
-  this->SetEnvironment(nullptr);
-  this->AddSun(azimuth, altitude);
-  this->SetResponseToCombined();
+  SetLights(this, relief::CombinedLights(azimuth, altitude));
 }
 
 //------------------------------------------------------------------------------
@@ -364,10 +371,7 @@ void vtkReliefScene::SetLightsToIgor(double azimuth)
     vtkErrorMacro("SetLightsToIgor: " << refusal->Reason() << "; the lights are kept.");
     return;
   }
-  this->RemoveAllLights();
-  this->SetEnvironment(nullptr);
-  this->AddSun(azimuth, parameters::UsualAltitude);
-  this->SetResponseToIgor();
+  SetLights(this, relief::IgorLights(azimuth));
 }
 
 //------------------------------------------------------------------------------

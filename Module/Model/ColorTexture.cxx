@@ -163,6 +163,15 @@ bool Meets(double corner, double side, double other, double lo, double hi)
 }
 }
 
+void ColorTexture::Stretch(const glm::ivec2& samples, const glm::ivec2& first,
+  const glm::ivec2& texels, const glm::ivec2& texel)
+{
+  const glm::dvec2 scale = glm::dvec2(texels) / glm::dvec2(samples);
+  this->origin = (glm::dvec2(first) + 0.5) * scale - 0.5 - glm::dvec2(texel);
+  this->alongI = glm::dvec2(scale.x, 0.0);
+  this->alongJ = glm::dvec2(0.0, scale.y);
+}
+
 bool ColorTexture::Overlaps(double i0, double i1, double j0, double j1) const
 {
   // Two parallelograms are apart if they are so along an axis of either (separating axes).

@@ -38,6 +38,12 @@ struct ColorTexture
   glm::dvec2 alongJ = glm::dvec2(0.0, 1.0);
   ///@}
 
+  /// Places it so that it covers `samples` of the heights from edge to edge. The field's first
+  /// sample is their `first`, the texture's first texel the `texel` of what covers them, which has
+  /// so many `texels`.
+  void Stretch(const glm::ivec2& samples, const glm::ivec2& first, const glm::ivec2& texels,
+    const glm::ivec2& texel);
+
   /// Whether any of the field's area [i0, i1] x [j0, j1] (pixel areas, so that a field of n columns
   /// is [-0.5, n - 0.5]) lies on the texture.
   bool Overlaps(double i0, double i1, double j0, double j1) const;

@@ -3,6 +3,7 @@
 #define ReliefModelScene_h
 
 #include "ColorTexture.h"
+#include "LightSampling.h"
 #include "RayThickness.h"
 
 #include <vector>
@@ -44,6 +45,18 @@ struct Scene
   double exposure = 0.0;
   Integrator integrator = Integrator::Exact;
   int steps = 256;
+
+  /// Adds a light; where it is directional and has a diameter, in radians, as so many samples of
+  /// its disc.
+  void Add(const Light& light, double diameter, int samples)
+  {
+    const std::vector<Light> disc = SampleDisc(light, light.positional ? 0.0 : diameter, samples);
+    this->lights.insert(this->lights.end(), disc.begin(), disc.end());
+    if (this->sun.empty() && !light.positional)
+    {
+      this->sun = disc;
+    }
+  }
 };
 
 }

@@ -3,8 +3,9 @@
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkReliefAngles.h"
 #include "vtkReliefEnvironment.h"
+
+#include "EnvironmentMap.h"
 
 #include <new>
 
@@ -17,23 +18,6 @@ static_assert(static_cast<int>(vtkReliefEnvironment::Importance) ==
 
 namespace relief::hosts
 {
-namespace
-{
-RadianceMap MakeMap(const ColorTexture& colors)
-{
-  RadianceMap map(colors.columns, colors.rows);
-  for (int j = 0; j < colors.rows; ++j)
-  {
-    for (int i = 0; i < colors.columns; ++i)
-    {
-      // The zenith is the picture's top row, the image's last.
-      map.Set(i, j, colors.ReadColor(i, colors.rows - 1 - j));
-    }
-  }
-  return map;
-}
-}
-
 //------------------------------------------------------------------------------
 std::string EnvironmentLights::Sample(
   vtkReliefEnvironment* environment, const ImageFrame& frame, std::vector<Light>& result)
@@ -54,21 +38,17 @@ std::string EnvironmentLights::Sample(
   }
 
   // From the image through the world to the relief's frame, one axis a column.
-  const double cz = vtkReliefCosDegrees(environment->GetRotationZ());
-  const double sz = vtkReliefSinDegrees(environment->GetRotationZ());
-  const double ct = vtkReliefCosDegrees(environment->GetTilt());
-  const double st = vtkReliefSinDegrees(environment->GetTilt());
-  const double axes[3][3] = { { cz, ct * sz, st * sz }, { -sz, ct * cz, st * cz },
-    { 0.0, -st, ct } };
-  const glm::dmat3 toField(
-    frame.VectorFromWorld(axes[0]), frame.VectorFromWorld(axes[1]), frame.VectorFromWorld(axes[2]));
+  const glm::dmat3 axes = TurnOf(environment->GetRotationZ(), environment->GetTilt());
+  const glm::dmat3 toField(frame.VectorFromWorld(&axes[0].x), frame.VectorFromWorld(&axes[1].x),
+    frame.VectorFromWorld(&axes[2].x));
 
   const vtkMTimeType time = image->GetMTime();
   try
   {
     if (this->MapTime != time)
     {
-      this->Map = MakeMap(colors);
+      // The zenith is the picture's top row, the image's last.
+      this->Map = MapOf(colors, false);
       this->MapTime = time;
       if (this->Map.GetCleaned() > 0)
       {

@@ -5,6 +5,8 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 
+#include "SceneBounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>

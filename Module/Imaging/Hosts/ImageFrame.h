@@ -17,10 +17,6 @@ class vtkImageData;
 
 namespace relief::hosts
 {
-/// The model's single precision needs room for squares and products: longer lengths count as this
-/// one, which looks the same (Documentation/Conventions.md).
-constexpr double LargestLength = 1e32;
-
 /// The image's own frame: world coordinates with origin and direction taken off, its first sample
 /// at (0, 0), x and y growing with the index.
 class VTKRELIEFSHADING_EXPORT ImageFrame

@@ -93,19 +93,14 @@ void PlaceInWorld(vtkImageData* heights, vtkImageData* image, ColorTexture& resu
 // Places a texture so that it covers the whole of the heights from edge to edge.
 void Stretch(const TextureInput& heights, const TextureInput& texture, ColorTexture& result)
 {
-  glm::dvec2 origin;
-  glm::dvec2 scale;
-  for (int axis = 0; axis < 2; ++axis)
+  auto size = [](const int* whole)
+  { return glm::ivec2(whole[1] - whole[0] + 1, whole[3] - whole[2] + 1); };
+  auto first = [](const TextureInput& input)
   {
-    const int at = 2 * axis;
-    scale[axis] = static_cast<double>(texture.whole[at + 1] - texture.whole[at] + 1) /
-      (heights.whole[at + 1] - heights.whole[at] + 1);
-    origin[axis] = (heights.image->GetExtent()[at] - heights.whole[at] + 0.5) * scale[axis] - 0.5 +
-      texture.whole[at] - texture.image->GetExtent()[at];
-  }
-  result.origin = origin;
-  result.alongI = glm::dvec2(scale.x, 0.0);
-  result.alongJ = glm::dvec2(0.0, scale.y);
+    const int* extent = input.image->GetExtent();
+    return glm::ivec2(extent[0] - input.whole[0], extent[2] - input.whole[2]);
+  };
+  result.Stretch(size(heights.whole), first(heights), size(texture.whole), first(texture));
 }
 }
 

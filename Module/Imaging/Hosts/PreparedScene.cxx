@@ -118,7 +118,7 @@ std::string PreparedScene::Update(
   }
   std::string wrong =
     ConvertLights(origin.scene, origin.standIns.empty() ? nullptr : standIns.Get(),
-      inputs.GetEnvironmentLights(), inputs.GetFrame(), field, scene.lights, scene.sun);
+      inputs.GetEnvironmentLights(), inputs.GetFrame(), field, scene);
   wrong = wrong.empty() ? inputs.GetTextures().AddTo(scene) : wrong;
   if (wrong.empty())
   {

@@ -11,9 +11,9 @@
 #include "vtkReliefMaterial.h"
 #include "vtkReliefScene.h"
 
-#include "LightSampling.h"
+#include "EnvironmentMap.h"
+#include "SceneBounds.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -25,43 +25,6 @@ static_assert(static_cast<int>(vtkReliefMaterial::Exponential) == relief::f64::R
 
 namespace relief::hosts
 {
-namespace
-{
-// As LargestLength: the model's single precision needs room, and what is beyond looks the same.
-constexpr double LargestColor = 1e6;
-constexpr double LargestRadiance = 1e30;
-constexpr double LargestNumber = 1e30;
-constexpr double LargestHeight = 4e37; // beyond any relief that is not refused
-
-double Bounded(double value, double largest)
-{
-  return std::clamp(value, -largest, largest);
-}
-
-f64::ReliefFalloff Falloff(const double range[2], double power)
-{
-  return { Bounded(range[0], LargestNumber), Bounded(range[1], LargestNumber),
-    Bounded(power, LargestNumber) };
-}
-
-// A lamp farther away stands in the same direction, and light that is stronger is as white.
-void Bound(Light& light)
-{
-  const double length = std::hypot(light.vector.x, light.vector.y, light.vector.z);
-  if (light.positional && length > LargestLength)
-  {
-    light.vector *= LargestLength / length;
-  }
-  const double brightest =
-    std::max({ std::abs(light.color.x), std::abs(light.color.y), std::abs(light.color.z) }) *
-    std::abs(light.weight);
-  if (std::abs(light.intensity) * brightest > LargestRadiance)
-  {
-    light.intensity = std::copysign(LargestRadiance / brightest, light.intensity);
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 // One of VTK's lights in the image's frame, above the field's datum.
 static std::string ConvertLight(
@@ -106,10 +69,8 @@ static std::string ConvertLight(
 //------------------------------------------------------------------------------
 std::string ConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
   EnvironmentLights& environmentLights, const ImageFrame& frame, const HeightField& field,
-  std::vector<Light>& result, std::vector<Light>& sun)
+  Scene& result)
 {
-  result.clear();
-  sun.clear();
   vtkReliefEnvironment* environment = scene->GetEnvironment();
   vtkNew<vtkReliefScene> unlit;
   vtkLightCollection* lights = scene->GetLights();
@@ -133,15 +94,8 @@ std::string ConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
       {
         return "light " + std::to_string(lightIndex) + ": " + wrong;
       }
-      const double diameter =
-        converted.positional ? 0.0 : vtkReliefScene::GetAngularDiameter(light);
-      const std::vector<Light> disc = SampleDisc(
-        converted, vtkMath::RadiansFromDegrees(diameter), scene->GetNumberOfSunSamples());
-      result.insert(result.end(), disc.begin(), disc.end());
-      if (sun.empty() && !converted.positional)
-      {
-        sun = disc;
-      }
+      result.Add(converted, vtkMath::RadiansFromDegrees(vtkReliefScene::GetAngularDiameter(light)),
+        scene->GetNumberOfSunSamples());
     }
     ++lightIndex;
   }
@@ -154,28 +108,24 @@ std::string ConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
     {
       return wrong;
     }
-    if (std::isfinite(environment->GetRadius()))
+    PlaceAround(field, environment->GetRadius(), samples);
+    if (result.lights.empty())
     {
-      const HeightView<float>& heights = field.GetField().heights;
-      const glm::dvec3 center(0.5 * (heights.columns - 1) * heights.spacingX,
-        0.5 * (heights.rows - 1) * heights.spacingY,
-        field.HasData() ? 0.5 * (static_cast<double>(field.GetBottom()) + field.GetTop()) : 0.0);
-      PlaceOnSphere(samples, center, environment->GetRadius());
-    }
-    if (result.empty())
-    {
-      result = std::move(samples);
+      result.lights = std::move(samples);
     }
     else
     {
-      result.insert(result.end(), samples.begin(), samples.end());
+      result.lights.insert(result.lights.end(), samples.begin(), samples.end());
     }
   }
   else
   {
     environmentLights.Release();
   }
-  std::for_each(result.begin(), result.end(), Bound);
+  for (Light& light : result.lights)
+  {
+    Bound(light);
+  }
   return std::string();
 }
 
@@ -183,10 +133,9 @@ std::string ConvertLights(vtkReliefScene* scene, vtkLightCollection* otherwise,
 Scene ConvertMaterial(vtkReliefScene* scene, const ImageFrame& frame, double datum)
 {
   vtkReliefMaterial* material = scene->GetMaterial();
-  auto color = [](const double c[3])
-  {
-    return glm::dvec3(
-      std::min(c[0], LargestColor), std::min(c[1], LargestColor), std::min(c[2], LargestColor));
+  auto color = [](const double c[3]) { return glm::dvec3(c[0], c[1], c[2]); };
+  auto falloff = [](const double range[2], double power) {
+    return f64::ReliefFalloff{ range[0], range[1], power };
   };
   Scene result;
   result.base = color(material->GetBaseColor());
@@ -194,21 +143,22 @@ Scene ConvertMaterial(vtkReliefScene* scene, const ImageFrame& frame, double dat
   result.specular = color(material->GetSpecularColor());
   result.specularCoefficient = material->GetSpecularCoefficient();
   result.scatterCoefficient = material->GetForwardScatterCoefficient();
-  result.specularFalloff = Falloff(material->GetSpecularRange(), material->GetSpecularPower());
+  result.specularFalloff = falloff(material->GetSpecularRange(), material->GetSpecularPower());
   result.scatterFalloff =
-    Falloff(material->GetForwardScatterRange(), material->GetForwardScatterPower());
-  result.medium.depth = std::min(material->GetDepthFor(frame.Spacing), LargestLength);
+    falloff(material->GetForwardScatterRange(), material->GetForwardScatterPower());
+  result.medium.depth = material->GetDepthFor(frame.Spacing);
   result.medium.offset = material->GetOffsetMode();
   result.medium.attenuation = material->GetAttenuation();
-  result.medium.density = std::min(material->GetDensity(), LargestNumber);
+  result.medium.density = material->GetDensity();
   result.medium.useFloor = material->GetUseFloor();
-  result.medium.floorHeight = Bounded(material->GetFloorHeight() - datum, LargestHeight);
-  result.medium.tolerance = std::min(scene->GetTolerance(), 1.0); // of d, which is no more
+  result.medium.floorHeight = material->GetFloorHeight() - datum;
+  result.medium.tolerance = scene->GetTolerance();
   result.integrator =
     scene->GetIntegrator() == vtkReliefScene::Exact ? Integrator::Exact : Integrator::FixedStep;
   result.steps = scene->GetNumberOfSteps();
   result.response = scene->GetResponse();
   result.exposure = scene->GetExposure();
+  Bound(result);
   return result;
 }
 }

@@ -13,7 +13,6 @@
 #include "SceneShading.h"
 
 #include <string>
-#include <vector>
 
 class vtkLightCollection;
 class vtkReliefScene;
@@ -22,10 +21,10 @@ namespace relief::hosts
 {
 /// All lights of a scene: those switched on, suns with a disc as several, and the samples of its
 /// environment. A scene that has neither lights nor environment takes `otherwise` or, if that is
-/// null too, the default sun. Into `sun` go those of the first sun.
+/// null too, the default sun. They are added to the result, which has none yet.
 VTKRELIEFSHADING_EXPORT std::string ConvertLights(vtkReliefScene* scene,
   vtkLightCollection* otherwise, EnvironmentLights& environmentLights, const ImageFrame& frame,
-  const HeightField& field, std::vector<Light>& result, std::vector<Light>& sun);
+  const HeightField& field, Scene& result);
 
 /// Everything of a scene but its lights.
 VTKRELIEFSHADING_EXPORT Scene ConvertMaterial(

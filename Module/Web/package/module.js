@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The WebAssembly: brought in once, and called with a description of a run (options.js). Nothing is
+// checked here.
+
+/** As ArrayType of WebHeights.h numbers them. */
+const arrayTypes = [
+  Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array, Float64Array,
+];
+
+/** As ColorTexture.h numbers them. */
+const texelTypes = [Uint8Array, Uint16Array, Float32Array, Float64Array];
+
+/** As ReliefWeb.cxx numbers them. */
+export const layerNames = [
+  "illumination", "thickness", "normals", "base", "diffuse", "scatter", "specular", "shadow",
+];
+const components = { normals: 3, base: 3, diffuse: 3, scatter: 3, specular: 3 };
+const effectNames = [
+  "illumination", "normals", "specular", "scatter", "baseTexture", "diffuseTexture",
+  "specularTexture",
+];
+export const presetNames = ["multidirectional", "sky-dome", "sun-and-sky", "combined", "igor"];
+const presetSkies = ["none", "whiteDome", "clearSky"];
+const skyNumbers = { none: 0, file: 0, whiteDome: 1, clearSky: 2, picture: 3 };
+
+let compiled; // a promise of the compiled module
+let instance; // of it; none after one that ended in the middle of a run
+
+async function compile() {
+  const url = new URL("./reliefshading.wasm", import.meta.url);
+  if (url.protocol === "file:" && typeof process === "object" && process.versions?.node) {
+    // Named by a variable, so that tools that bundle for browsers leave it alone.
+    const files = "node:fs/promises";
+    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
+    return WebAssembly.compile(await readFile(url));
+  }
+  const response = await fetch(url);
+  if (!response.ok) {
+    throw new Error(`reliefshading.wasm cannot be loaded: ${response.status} ${response.statusText} (${url})`);
+  }
+  // Not as a stream, which needs a server that knows the type of the file.
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** Loads what is needed; later calls find it there. */
+export async function load() {
+  compiled ??= compile().catch((error) => {
+    compiled = undefined; // so that it may be tried again
+    throw error;
+  });
+  const module = await compiled;
+  if (!instance) {
+    const nothing = () => 0;
+    // What the C library asks of a system: there is none.
+    const imports = {};
+    for (const { module: space, name } of WebAssembly.Module.imports(module)) {
+      (imports[space] ??= {})[name] = nothing;
+    }
+    const created = await WebAssembly.instantiate(module, imports);
+    instance ??= created.exports;
+    if (created.exports === instance) {
+      instance._initialize?.();
+    }
+  }
+  return instance;
+}
+
+//--------------------------------------------------------------------------------------------------
+// Calls body(wasm, put), where put copies an array into the module's memory and returns its
+// address. What ends the module in the middle becomes an error, and the next run gets a new one.
+async function using(body) {
+  const wasm = await load();
+  const taken = [];
+  const put = (array) => {
+    const address = wasm.reliefAllocate(array.byteLength) >>> 0;
+    if (address === 0) {
+      throw new RangeError("there is not enough memory for the run");
+    }
+    taken.push(address);
+    new Uint8Array(wasm.memory.buffer, address, array.byteLength).set(
+      new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
+    );
+    return address;
+  };
+  try {
+    wasm.reliefBegin();
+    return body(wasm, put);
+  } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) {
+      instance = undefined;
+      throw wasm.reliefIsOutOfMemory() !== 0
+        ? new RangeError("there is not enough memory for the run", { cause: error })
+        : error;
+    }
+    throw error;
+  } finally {
+    if (wasm === instance) {
+      wasm.reliefEnd();
+      taken.forEach((address) => wasm.reliefFree(address));
+    }
+  }
+}
+
+function textAt(wasm, address) {
+  const bytes = new Uint8Array(wasm.memory.buffer, address >>> 0);
+  return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+}
+
+// Rows of the module run from south to north.
+function rowsFrom(wasm, address, Type, width, height, size) {
+  const row = width * size;
+  const result = new Type(row * height);
+  const from = new Type(wasm.memory.buffer, address >>> 0, row * height);
+  for (let j = 0; j < height; ++j) {
+    result.set(from.subarray((height - 1 - j) * row, (height - j) * row), j * row);
+  }
+  return result;
+}
+
+function setHeights(wasm, put, run) {
+  const type = arrayTypes.findIndex((Type) => run.heights instanceof Type);
+  wasm.reliefHeights(put(run.heights), type, run.width, run.height, run.spacing[0], run.spacing[1]);
+  if (run.nodata !== undefined) {
+    wasm.reliefNoData(run.nodata);
+  }
+  if (run.mask) {
+    wasm.reliefMask(put(run.mask));
+  }
+}
+
+function picture(put, { data, width, height }) {
+  const plain = data instanceof Uint8ClampedArray ? new Uint8Array(data.buffer, data.byteOffset, data.length) : data;
+  const type = texelTypes.findIndex((Type) => plain instanceof Type);
+  return [put(plain), type, data.length / (width * height), width, height];
+}
+
+function setLights(wasm, scene) {
+  for (const light of scene.lights) {
+    const { on, intensity, color, angularDiameter } = light;
+    if (on && light.kind === "sun") {
+      const toward = light.toward ?? [0, 0, 0];
+      wasm.reliefSun(light.azimuth, light.altitude, ...toward, angularDiameter, intensity, ...color);
+    } else if (on) {
+      wasm.reliefLamp(...light.position, intensity, ...color);
+    }
+  }
+  // Lights that are off are lights all the same: a scene of nothing else is dark.
+  if (scene.lights.length > 0 && !scene.environment) {
+    wasm.reliefSky(skyNumbers.none, 0, 0, 0);
+  }
+}
+
+function setEnvironment(wasm, put, { image, azimuth, altitude, turbidity, picture: map }) {
+  wasm.reliefSky(skyNumbers[image], azimuth ?? 0, altitude ?? 0, turbidity ?? 0);
+  if (image === "picture") {
+    wasm.reliefSkyPicture(...picture(put, map));
+  }
+}
+
+function warningsOf(wasm, run) {
+  const warnings = [];
+  const [hasData, cleaned, unusable] = [5, 6, 7].map((number) => wasm.reliefNumber(number));
+  if (hasData === 0) {
+    warnings.push("No sample has data; the picture is transparent.");
+  } else if (run.width < 2 || run.height < 2) {
+    warnings.push(
+      `An image of ${run.width} x ${run.height} samples has no surface between them; each is shaded as level ground.`,
+    );
+  }
+  if (cleaned > 0) {
+    warnings.push(
+      `The environment has ${cleaned} texels that are not finite, negative or above 1e30; a negative component counts as 0, the others as black texels.`,
+    );
+  }
+  if (unusable > 0) {
+    warnings.push(
+      `The textures have ${unusable} texels with negative or non-finite components; these count as 0.`,
+    );
+  }
+  return warnings;
+}
+
+//--------------------------------------------------------------------------------------------------
+/** The scale that heights without a unit get, with six significant digits; 1 where none is found. */
+export function fitScale(run) {
+  return using((wasm, put) => {
+    setHeights(wasm, put, run);
+    const scale = wasm.reliefFitHeightScale();
+    return scale > 0 ? Number(scale.toPrecision(6)) : 1;
+  });
+}
+
+/** What a preset stands for, as options have it. */
+export async function presetLights(name, azimuth, altitude) {
+  const wasm = await load();
+  const address = wasm.reliefPreset(presetNames.indexOf(name), azimuth, altitude) >>> 0;
+  const numbers = new Float64Array(wasm.memory.buffer, address, 64);
+  const [sky, intensity, numberOfSamples, sampling, response, count] = numbers;
+  const lights = [];
+  for (let k = 0, at = 6; k < count; ++k, at += 7) {
+    const [a, h, angularDiameter, power, ...color] = numbers.slice(at, at + 7);
+    lights.push({
+      kind: "sun", azimuth: a, altitude: h, angularDiameter, intensity: power, color, on: true,
+    });
+  }
+  return {
+    lights,
+    environment: sky === 0 ? null : { image: presetSkies[sky], intensity, numberOfSamples, sampling },
+    response: response < 0 ? undefined : response,
+  };
+}
+
+/** Shades a run; see index.d.ts for what comes of it. */
+export function shadeRun(run) {
+  return using((wasm, put) => {
+    setHeights(wasm, put, run);
+    run.parameters.forEach((value, number) => wasm.reliefParameter(number, ...value));
+    setLights(wasm, run.scene);
+    if (run.scene.environment) {
+      setEnvironment(wasm, put, run.scene.environment);
+    }
+    for (const [name, texture] of Object.entries(run.textures)) {
+      wasm.reliefTexture(1 + layerNames.indexOf(name), ...picture(put, texture));
+    }
+    run.layers.forEach((name) => wasm.reliefWant(1 + layerNames.indexOf(name)));
+    if (run.output === "float") {
+      wasm.reliefWantFloat();
+    }
+    const wrong = textAt(wasm, wasm.reliefShade());
+    if (wrong !== "") {
+      throw new RangeError(wrong);
+    }
+
+    const { width, height } = run;
+    const Type = run.output === "float" ? Float32Array : Uint8ClampedArray;
+    const layers = {};
+    for (const name of run.layers) {
+      const address = wasm.reliefResult(1 + layerNames.indexOf(name));
+      layers[name] = rowsFrom(wasm, address, Float32Array, width, height, components[name] ?? 1);
+    }
+    const number = (k) => wasm.reliefNumber(k);
+    return {
+      data: rowsFrom(wasm, wasm.reliefResult(0), Type, width, height, 4),
+      width,
+      height,
+      layers,
+      statistics: {
+        lightsTraced: number(0),
+        raysTraced: number(1),
+        cellsVisited: number(2),
+        exposure: number(3),
+        heightScale: run.heightScale,
+        effectsEvaluated: effectNames.filter((name, bit) => number(4) & (1 << bit)),
+        modelVersion: wasm.reliefModelVersion(),
+      },
+      warnings: warningsOf(wasm, run),
+    };
+  });
+}

@@ -1,0 +1,571 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Options as users write them, checked and made a description of a run. A value that is out of range is
+// a RangeError, one of another type or a word that nobody knows a TypeError.
+
+import { parameters } from "./parameters.js";
+import { layerNames, presetNames } from "./module.js";
+
+const ofOwner = (...owners) => parameters.filter((row) => owners.includes(row.owner));
+/** What scene, material and environment have, in the order of their numbers. */
+export const numbered = ofOwner("scene", "material", "environment");
+export const sceneRows = ofOwner("scene");
+export const materialRows = ofOwner("material");
+export const environmentRows = ofOwner("environment");
+export const lightRows = ofOwner("light");
+
+const usualSun = [315, 45];
+const usualTurbidity = 3;
+
+//--------------------------------------------------------------------------------------------------
+// Messages.
+
+/** A value as part of a message. */
+export function shown(value) {
+  if (ArrayBuffer.isView(value)) {
+    return `${value.constructor.name} of ${value.length}`;
+  }
+  if (typeof value === "bigint" || typeof value === "function" || typeof value === "symbol") {
+    return typeof value;
+  }
+  let text;
+  try {
+    text = JSON.stringify(value, (key, inner) =>
+      typeof inner === "number" && !Number.isFinite(inner) ? String(inner) : inner,
+    );
+  } catch {
+    text = undefined;
+  }
+  text = typeof value === "number" ? String(value) : (text ?? String(value));
+  return text.length > 60 ? `${text.slice(0, 60)} ...` : text;
+}
+
+const given = (name, value, expected) => `${name}: ${shown(value)} was given, ${expected} expected`;
+export const typeError = (name, value, expected) => new TypeError(given(name, value, expected));
+export const rangeError = (name, value, expected) => new RangeError(given(name, value, expected));
+
+const listed = (words) =>
+  words.map((word, k) => (k === 0 ? "" : k + 1 < words.length ? ", " : " or ") + `"${word}"`).join("");
+
+// How many letters are to be changed to make one word of another.
+function distance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, k) => k);
+  for (let i = 1; i <= a.length; ++i) {
+    const next = [i];
+    for (let j = 1; j <= b.length; ++j) {
+      next.push(Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1)));
+    }
+    row = next;
+  }
+  return row[b.length];
+}
+
+function suggestion(word, known) {
+  const lower = word.toLowerCase();
+  const scored = known
+    .map((name) => ({ name, score: distance(lower, name.toLowerCase()) }))
+    .sort((a, b) => a.score - b.score);
+  const best = scored[0];
+  return best && best.score <= Math.max(2, word.length / 3) ? `; did you mean ${best.name}?` : "";
+}
+
+function refuseUnknown(path, object, known) {
+  for (const key of Object.keys(object)) {
+    if (!known.includes(key)) {
+      throw new TypeError(`${path}${key}: there is no such option${suggestion(key, known)}`);
+    }
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+// Single values.
+
+const plainWord = (word) => word.toLowerCase().replace(/[-_ ]/g, "");
+export const sameWord = (a, b) => plainWord(a) === plainWord(b);
+
+function needObject(name, value, expected = "an object is") {
+  if (typeof value !== "object" || value === null || Array.isArray(value) || ArrayBuffer.isView(value)) {
+    throw typeError(name, value, expected);
+  }
+  return value;
+}
+
+export function needNumber(name, value, expected = "a number is") {
+  if (typeof value !== "number") {
+    throw typeError(name, value, expected);
+  }
+  return value;
+}
+
+export function needFinite(name, value, expected = "a finite number is") {
+  if (!Number.isFinite(needNumber(name, value, expected))) {
+    throw rangeError(name, value, expected);
+  }
+  return value;
+}
+
+/** An array of so many numbers. */
+export function needVector(name, value, size, finite = "finite components are") {
+  const good = (Array.isArray(value) || ArrayBuffer.isView(value)) && value.length === size;
+  if (!good || !Array.prototype.every.call(value, (c) => typeof c === "number")) {
+    throw typeError(name, value, `an array of ${size} numbers is`);
+  }
+  const numbers = Array.from(value);
+  if (!numbers.every(Number.isFinite)) {
+    throw rangeError(name, value, finite);
+  }
+  return numbers;
+}
+
+export function needWord(name, value, words) {
+  const place = typeof value === "string" ? words.findIndex((word) => sameWord(word, value)) : -1;
+  if (place < 0) {
+    throw typeError(name, value, `${listed(words)} is`);
+  }
+  return place;
+}
+
+// What the values of a parameter are, as the setters of C++ say it.
+function expectation({ kind, minimum, maximum, minimumOpen }) {
+  switch (kind) {
+    case "color":
+      return minimum === null ? "finite components are" : `finite components of at least ${minimum} are`;
+    case "range":
+      return "two finite numbers of which the first is not the larger are";
+  }
+  if (minimum !== null && maximum !== null) {
+    return `a number in [${minimum}, ${maximum}] is`;
+  }
+  const number = kind === "length" ? "a number" : "a finite number";
+  return minimum === null ? `${number} is` : `${number} ${minimumOpen ? "above" : "of at least"} ${minimum} is`;
+}
+
+/** The value of a parameter, as a number, a boolean, an array, or the place of a choice. */
+export function readParameter(row, name, value) {
+  const expected = expectation(row);
+  switch (row.kind) {
+    case "flag":
+      if (typeof value !== "boolean") {
+        throw typeError(name, value, "true or false is");
+      }
+      return value;
+    case "choice": {
+      const place = row.choices.findIndex(
+        (choice) => typeof value === "string" && (sameWord(choice.name, value) || sameWord(choice.word, value)),
+      );
+      if (place < 0) {
+        throw typeError(name, value, `${listed(row.choices.map((choice) => choice.word))} is`);
+      }
+      return place;
+    }
+    case "color":
+    case "range": {
+      const size = row.kind === "color" ? 3 : 2;
+      const numbers = needVector(name, value, size, expected);
+      if (row.minimum !== null && numbers.some((c) => c < row.minimum)) {
+        throw rangeError(name, value, expected);
+      }
+      if (row.kind === "range" && numbers[0] > numbers[1]) {
+        throw rangeError(name, value, expected);
+      }
+      return numbers;
+    }
+    default: {
+      const number = row.kind === "length" && value === "infinite" ? Infinity : value;
+      needNumber(name, number, row.kind === "length" ? 'a number or "infinite" is' : "a number is");
+      if (row.kind === "count" && !Number.isInteger(number) && Number.isFinite(number)) {
+        throw typeError(name, value, "a whole number is");
+      }
+      const low = row.minimum === null ? -Infinity : row.minimum;
+      const high = row.maximum === null ? Infinity : row.maximum;
+      const inside = (row.minimumOpen ? number > low : number >= low) && number <= high;
+      if (!inside || (!Number.isFinite(number) && row.kind !== "length")) {
+        throw rangeError(name, value, expected);
+      }
+      return number;
+    }
+  }
+}
+
+/** The default of a parameter, as readParameter() gives it. */
+export function defaultOf(row) {
+  switch (row.kind) {
+    case "flag":
+      return row.default[0] !== 0;
+    case "color":
+    case "range":
+      return [...row.default];
+    default:
+      return row.default[0] ?? Infinity;
+  }
+}
+
+const automaticOf = (row, rows) => rows.find((other) => other.name === `Automatic${row.name}`);
+
+/**
+ * Values of rows by their keys, defaults where none is given. A parameter that can be automatic takes
+ * "auto"; any other value turns that off, unless the switch of its own is given, too.
+ */
+function readParameters(rows, path, options) {
+  const values = {};
+  for (const row of rows) {
+    values[row.key] ??= defaultOf(row);
+    const value = options[row.key];
+    const automatic = automaticOf(row, rows);
+    if (value === undefined) {
+      continue;
+    }
+    if (automatic && value === "auto") {
+      values[automatic.key] = true;
+    } else {
+      values[row.key] = readParameter(row, path + row.key, value);
+      if (automatic) {
+        values[automatic.key] = false;
+      }
+    }
+  }
+  return values;
+}
+
+//--------------------------------------------------------------------------------------------------
+// Lights.
+
+function checkAngles(name, azimuth, altitude, low) {
+  needNumber(`${name}.azimuth`, azimuth);
+  needNumber(`${name}.altitude`, altitude);
+  if (!Number.isFinite(azimuth) || !(altitude >= low && altitude <= 90)) {
+    throw new RangeError(
+      `${name}: azimuth ${azimuth}, altitude ${altitude} was given, a finite azimuth and an altitude in ` +
+        `[${low}, 90] degrees are expected`,
+    );
+  }
+}
+
+const lightKeys = lightRows.map((row) => row.key);
+
+function readSun(name, value) {
+  if (Array.isArray(value) || ArrayBuffer.isView(value)) {
+    if (value.length !== 2) {
+      throw typeError(name, value, "[azimuth, altitude] or an object is");
+    }
+    return readSun(name, { azimuth: value[0], altitude: value[1] });
+  }
+  needObject(name, value, "[azimuth, altitude] or an object is");
+  refuseUnknown(`${name}.`, value, ["kind", "azimuth", "altitude", "toward", ...lightKeys]);
+  const { azimuth = usualSun[0], altitude = usualSun[1], toward } = value;
+  checkAngles(name, azimuth, altitude, -90);
+  const light = { kind: "sun", azimuth, altitude, ...readParameters(lightRows, `${name}.`, value) };
+  return toward === undefined ? light : { ...light, toward: needVector(`${name}.toward`, toward, 3) };
+}
+
+function readLamp(name, value) {
+  if (Array.isArray(value) || ArrayBuffer.isView(value)) {
+    return readLamp(name, { position: value });
+  }
+  needObject(name, value, "[x, y, z] or an object is");
+  const rows = lightRows.filter((row) => !row.ofSuns);
+  refuseUnknown(`${name}.`, value, ["kind", "position", ...rows.map((row) => row.key)]);
+  return {
+    kind: "point",
+    position: needVector(`${name}.position`, value.position, 3, "a finite position is"),
+    ...readParameters(rows, `${name}.`, value),
+  };
+}
+
+function readLights(options) {
+  const lights = [];
+  const add = (name, read) => {
+    if (options[name] !== undefined) {
+      lights.push(read(name, options[name]));
+    }
+  };
+  const addAll = (name, read) => {
+    if (options[name] !== undefined) {
+      if (!Array.isArray(options[name])) {
+        throw typeError(name, options[name], "an array is");
+      }
+      options[name].forEach((light, k) => lights.push(read(`${name}[${k}]`, light)));
+    }
+  };
+  add("sun", readSun);
+  addAll("suns", readSun);
+  add("lamp", readLamp);
+  addAll("lamps", readLamp);
+  addAll("lights", (name, light) => {
+    const kind = needWord(`${name}.kind`, needObject(name, light).kind, ["sun", "point"]);
+    return kind === 0 ? readSun(name, light) : readLamp(name, light);
+  });
+  return lights;
+}
+
+async function readPreset(options, presetLights) {
+  const value = options.preset;
+  const object = typeof value === "string" ? { name: value } : needObject("preset", value, "a name or an object is");
+  refuseUnknown("preset.", object, ["name", "azimuth", "altitude"]);
+  const name = presetNames[needWord("preset", object.name, presetNames)];
+  const { azimuth = usualSun[0], altitude = usualSun[1] } = object;
+  checkAngles("preset", azimuth, altitude, name === "sun-and-sky" ? 0 : -90);
+  const placed = ["sun-and-sky", "combined", "igor"].includes(name);
+  if (placed && (options.sun !== undefined || options.suns !== undefined)) {
+    throw new TypeError(
+      `${options.sun !== undefined ? "sun" : "suns"}: the preset "${name}" brings its own; place it by ` +
+        `preset: { name: "${name}", azimuth: 315, altitude: 45 }`,
+    );
+  }
+  if (!placed && (object.azimuth !== undefined || object.altitude !== undefined)) {
+    throw new TypeError(`preset: "${name}" has no sun to be placed; leave azimuth and altitude out`);
+  }
+  return presetLights(name, azimuth, altitude);
+}
+
+//--------------------------------------------------------------------------------------------------
+// Pictures and the environment.
+
+const texelTypes = [Uint8Array, Uint8ClampedArray, Uint16Array, Float32Array, Float64Array];
+
+function readPicture(name, value) {
+  const { data, width, height } = needObject(name, value, "{ data, width, height } is");
+  if (!texelTypes.some((Type) => data instanceof Type)) {
+    throw typeError(
+      `${name}.data`, data, "an array of 8 or 16 bit (sRGB), Float32Array or Float64Array (linear) is",
+    );
+  }
+  checkSize(name, width, height);
+  if (![1, 2, 3, 4].includes(data.length / (width * height))) {
+    throw rangeError(
+      `${name}.data`, data, `1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha) for each of ${width} x ${height} texels are`,
+    );
+  }
+  return { data, width, height };
+}
+
+function checkSize(name, width, height) {
+  for (const [key, size] of Object.entries({ width, height })) {
+    const path = name === "" ? key : `${name}.${key}`;
+    needNumber(path, size, "a whole number is");
+    if (!Number.isInteger(size) || size < 1 || size > 2 ** 30) {
+      throw rangeError(path, size, "a whole number in [1, 1073741824] is");
+    }
+  }
+}
+
+const imageWords = ["none", "whiteDome", "clearSky", "file"];
+const environmentKeys = environmentRows.map((row) => row.key);
+
+/** An environment, upon what a preset brings of one. */
+function readEnvironment(value, ofPreset) {
+  const object = typeof value === "string" ? { image: value } : needObject("environment", value, "a name or an object is");
+  const { image, azimuth, altitude, turbidity, file } = object;
+  refuseUnknown("environment.", object, [
+    "image", "azimuth", "altitude", "turbidity", "file", ...environmentKeys,
+  ]);
+  if (image === undefined && !ofPreset) {
+    throw typeError("environment.image", image, '"whiteDome", "clearSky" or { data, width, height } is');
+  }
+  if (image !== undefined && ofPreset) {
+    throw new TypeError("environment.image: the sky of the preset is there already; leave one of them out");
+  }
+  const values = readParameters(environmentRows, "environment.", { ...ofPreset?.words, ...object });
+  if (ofPreset) {
+    return { ...ofPreset, ...values };
+  }
+  if (typeof image === "object" && image !== null) {
+    return { image: "picture", picture: readPicture("environment.image", image), file, ...values };
+  }
+  const word = imageWords[needWord("environment.image", image, imageWords)];
+  if (word === "file") {
+    if (typeof file !== "string" || file === "") {
+      throw typeError("environment.file", file, "a text is");
+    }
+    return { image: word, file, ...values };
+  }
+  if (word !== "clearSky") {
+    return { image: word, ...values };
+  }
+  const haze = needNumber("environment.turbidity", turbidity ?? usualTurbidity);
+  needNumber("environment.azimuth", azimuth);
+  needNumber("environment.altitude", altitude);
+  if (!Number.isFinite(azimuth) || !(altitude >= 0 && altitude <= 90) || !(haze >= 2 && haze <= 10)) {
+    throw new RangeError(
+      `environment: azimuth ${azimuth}, altitude ${altitude}, turbidity ${haze} was given, a finite azimuth, an ` +
+        "altitude in [0, 90] degrees and a turbidity in [2, 10] are expected",
+    );
+  }
+  return { image: word, azimuth, altitude, turbidity: haze, ...values };
+}
+
+// What a preset brings of an environment: its parameters as options, too.
+function presetEnvironment({ image, intensity, numberOfSamples, sampling, azimuth, altitude }) {
+  const choices = environmentRows.find((row) => row.key === "sampling").choices;
+  const words = { intensity, numberOfSamples, sampling: choices[sampling].name };
+  const values = readParameters(environmentRows, "environment.", words);
+  const place = image === "clearSky" ? { azimuth, altitude, turbidity: usualTurbidity } : {};
+  return { image, ...place, ...values, words };
+}
+
+//--------------------------------------------------------------------------------------------------
+/** The options of a scene; others are those of a run. */
+export const sceneKeys = [
+  "preset", "sun", "suns", "lamp", "lamps", "lights", "environment", "depth", "floor",
+  ...sceneRows.map((row) => row.key), ...materialRows.map((row) => row.key),
+];
+const textureKeys = { baseTexture: "base", diffuseTexture: "diffuse", specularTexture: "specular" };
+const runKeys = [
+  "width", "height", "spacing", "origin", "nodata", "mask", "layers", "output", ...Object.keys(textureKeys),
+];
+
+// Short names of parameters, as those.
+function spelledOut(options) {
+  const { depth, floor, ...rest } = options;
+  if (depth !== undefined) {
+    if (rest.subsurfaceDepth !== undefined) {
+      throw new TypeError("depth: subsurfaceDepth was given, too, and is the same; leave one of them out");
+    }
+    rest.subsurfaceDepth = depth;
+  }
+  if (floor !== undefined && floor !== null) {
+    if (rest.floorHeight !== undefined || rest.useFloor !== undefined) {
+      throw new TypeError("floor: floorHeight or useFloor was given, too, and is the same; leave one of them out");
+    }
+    rest.floorHeight = needFinite("floor", floor);
+    rest.useFloor = true;
+  }
+  return rest;
+}
+
+/** A scene that was checked: values of scene and material, lights, and the environment or null. */
+export async function readScene(given, presetLights) {
+  const options = spelledOut(given);
+  const preset = options.preset === undefined ? null : await readPreset(options, presetLights);
+  const fitted = options.heightScale === "auto";
+  const scene = readParameters(sceneRows, "", fitted ? { ...options, heightScale: undefined } : options);
+  if (options.response === undefined && preset?.response !== undefined) {
+    scene.response = preset.response;
+  }
+  const lights = [...(preset?.lights ?? []), ...readLights(options)];
+  const sky = preset?.environment;
+  const brought = sky ? presetEnvironment({ ...sky, ...preset.lights[0] && {
+    azimuth: preset.lights[0].azimuth, altitude: preset.lights[0].altitude,
+  }, intensity: sky.intensity }) : null;
+  const environment = options.environment === undefined || options.environment === null
+    ? brought
+    : readEnvironment(options.environment, brought);
+  return { scene, material: readParameters(materialRows, "", options), lights, environment, fitted };
+}
+
+/** As WebScene.h has the values of parameters. */
+function numbersOf({ scene, material, environment }) {
+  const owners = { scene, material, environment: environment ?? {} };
+  return numbered.map((row) => {
+    const value = owners[row.owner][row.key] ?? defaultOf(row);
+    const numbers = Array.isArray(value) ? value : [Number(value)];
+    return [0, 1, 2].map((k) => numbers[k] ?? 0);
+  });
+}
+
+const heightTypes = [
+  Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array,
+  Float64Array,
+];
+
+function readHeights(heights, width, height) {
+  let array = heights;
+  if (Array.isArray(heights)) {
+    array = Float64Array.from(heights, (value) => (value === null ? NaN : value));
+  } else if (heights instanceof Uint8ClampedArray) {
+    array = new Uint8Array(heights.buffer, heights.byteOffset, heights.length);
+  } else if (!heightTypes.some((Type) => heights instanceof Type)) {
+    throw typeError("heights", heights, "a typed array of integers up to 32 bit or of floats, or an array of numbers, is");
+  }
+  checkSize("", width, height);
+  if (array.length !== width * height) {
+    throw new RangeError(
+      `heights: ${array.length} values were given, width ${width} x height ${height} = ${width * height} are expected`,
+    );
+  }
+  return array;
+}
+
+function readMask(mask, samples) {
+  if (mask === undefined || mask === null) {
+    return null;
+  }
+  if (!(Array.isArray(mask) || ArrayBuffer.isView(mask)) || mask instanceof DataView) {
+    throw typeError("mask", mask, "an array, 0 where there are no data, is");
+  }
+  if (mask.length !== samples) {
+    throw new RangeError(`mask: ${mask.length} values were given, ${samples} are expected, as many as heights`);
+  }
+  return mask instanceof Uint8Array ? mask : Uint8Array.from(mask, (value) => (Number(value) ? 1 : 0));
+}
+
+function readSpacing(spacing) {
+  const pair = typeof spacing === "number" ? [spacing, spacing] : spacing;
+  const good = (Array.isArray(pair) || ArrayBuffer.isView(pair)) && pair.length === 2;
+  if (!good || ![pair[0], pair[1]].every((size) => typeof size === "number")) {
+    throw typeError("spacing", spacing, "a number, or two of them, is");
+  }
+  if (![pair[0], pair[1]].every((size) => size >= 1e-32 && size <= 1e32)) {
+    throw rangeError("spacing", spacing, "numbers from 1e-32 to 1e32 are");
+  }
+  return [pair[0], pair[1]];
+}
+
+function readLayers(layers) {
+  if (!Array.isArray(layers)) {
+    throw typeError("layers", layers, "an array is");
+  }
+  return [...new Set(layers.map((name, k) => layerNames[needWord(`layers[${k}]`, name, layerNames)]))];
+}
+
+/** The part of a run that fitScale() takes. */
+export function readField(heights, options) {
+  const { width, height, spacing = 1, nodata, mask } = options;
+  const array = readHeights(heights, width, height);
+  return {
+    heights: array,
+    width,
+    height,
+    spacing: readSpacing(spacing),
+    nodata: nodata === undefined || nodata === null ? undefined : needNumber("nodata", nodata),
+    mask: readMask(mask, array.length),
+  };
+}
+
+/** A run, checked, as module.js takes it. */
+export async function readRun(heights, options, { presetLights, fitScale }) {
+  needObject("options", options);
+  refuseUnknown("", options, [...sceneKeys, ...runKeys]);
+  const field = readField(heights, options);
+  const scene = await readScene(options, presetLights);
+  if (scene.environment?.image === "file") {
+    throw new TypeError(
+      `environment.file: ${shown(scene.environment.file)} is not read here; give its pixels, image: { data, width, height }`,
+    );
+  }
+  if (scene.fitted) {
+    scene.scene.heightScale = await fitScale(field);
+  }
+  const origin = options.origin === undefined ? [0, 0] : needVector("origin", options.origin, 2);
+  scene.lights = scene.lights.map((light) =>
+    light.kind === "point"
+      ? { ...light, position: light.position.map((c, k) => c - (origin[k] ?? 0)) }
+      : light,
+  );
+  const textures = {};
+  for (const [key, name] of Object.entries(textureKeys)) {
+    if (options[key] !== undefined && options[key] !== null) {
+      textures[name] = readPicture(key, options[key]);
+    }
+  }
+  const output = ["rgba8", "float"][needWord("output", options.output ?? "rgba8", ["rgba8", "float"])];
+  return {
+    ...field,
+    scene,
+    textures,
+    output,
+    parameters: numbersOf(scene),
+    heightScale: scene.scene.heightScale,
+    layers: readLayers(options.layers ?? []),
+  };
+}
