@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <sstream>
+#include <string>
 #include <type_traits>
 
 namespace relief
@@ -31,6 +31,29 @@ struct Range
   }
 };
 
+// Six digits, as streams write them: where the model is all of a program, they would be most of it.
+std::string NumberText(double value)
+{
+  if (value == 0.0 || !std::isfinite(value))
+  {
+    return value == 0.0 ? "0" : value > 0.0 ? "inf" : "-inf";
+  }
+  double size = std::abs(value);
+  int exponent = static_cast<int>(std::floor(std::log10(size)));
+  size = std::round(size * std::pow(10.0, -exponent) * 1e5);
+  exponent += size >= 1e6 ? 1 : 0;
+  std::string digits = std::to_string(static_cast<long>(size >= 1e6 ? size / 10.0 : size));
+  const bool plain = exponent >= 0 && exponent < 6;
+  digits.insert(plain ? static_cast<std::size_t>(exponent) + 1 : 1, ".");
+  digits.erase(digits.find_last_not_of('0') + 1);
+  digits.erase(digits.find_last_not_of('.') + 1);
+  const std::string sign = value < 0.0 ? "-" : "";
+  const std::string power = std::to_string(std::abs(exponent));
+  return sign + digits +
+    (plain ? std::string()
+           : (exponent < 0 ? "e-" : "e+") + std::string(power.size() < 2 ? "0" : "") + power);
+}
+
 // Empty, or what is wrong: the differences of differences of heights must be numbers too.
 std::string CheckRelief(const Range& range)
 {
@@ -39,10 +62,9 @@ std::string CheckRelief(const Range& range)
   {
     return std::string();
   }
-  std::ostringstream message;
-  message << "heights reach from " << range.lo << " to " << range.hi << ", a relief of at most "
-          << most << " is expected; a value that means no data is told by the nodata value";
-  return message.str();
+  return "heights reach from " + NumberText(range.lo) + " to " + NumberText(range.hi) +
+    ", a relief of at most " + NumberText(most) +
+    " is expected; a value that means no data is told by the nodata value";
 }
 
 // Turns a caller's rows into heights.
@@ -369,10 +391,8 @@ std::string HeightField::AssignCopy(
   if (hasData && (std::isinf(range.lo) || std::isinf(range.hi)))
   {
     const Range exact = ExactRange(source, reader, parallelFor);
-    std::ostringstream message;
-    message << "heights reach from " << exact.lo << " to " << exact.hi
-            << ", numbers within single precision (3.4e38) are expected";
-    return message.str();
+    return "heights reach from " + NumberText(exact.lo) + " to " + NumberText(exact.hi) +
+      ", numbers within single precision (3.4e38) are expected";
   }
   const std::string wrong = CheckRelief(range);
   if (!wrong.empty())
