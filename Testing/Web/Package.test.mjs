@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The package as people get it: packed, installed without a network, imported by its name. Its size, and the
+// examples of its documentation.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { gzipSync } from "node:zlib";
+
+import { packageFolder, parameters, readText, version } from "./Shared.mjs";
+
+let folder;
+
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), "reliefshading-"));
+  const npm = (where, ...words) =>
+    execFileSync("npm", [...words, "--offline", "--no-audit", "--no-fund"], { cwd: where, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+  const packed = npm(folder, "pack", packageFolder).trim().split("\n").pop();
+  writeFileSync(join(folder, "package.json"), JSON.stringify({ name: "user", private: true, type: "module" }));
+  npm(folder, "install", `./${packed}`);
+});
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+function run(name, script) {
+  writeFileSync(join(folder, name), script);
+  return execFileSync(process.execPath, [name], { cwd: folder, encoding: "utf8" });
+}
+
+test("it is installed from a tarball and imported by name", () => {
+  const description = JSON.parse(readText(packageFolder, "package.json"));
+  assert.equal(description.version, version);
+  assert.equal(description.dependencies, undefined);
+  const script = `
+    import { shade, version } from "reliefshading";
+    import { readFileSync } from "node:fs";
+    import { fileURLToPath } from "node:url";
+    const { data } = await shade(new Float32Array(4), { width: 2, height: 2, sun: [0, 90] });
+    const table = JSON.parse(readFileSync(fileURLToPath(import.meta.resolve("reliefshading/parameters.json")), "utf8"));
+    console.log(data.join(" "), version, table.length);`;
+  const white = new Array(16).fill(255).join(" ");
+  assert.equal(run("user.js", script).trim(), `${white} ${version} ${parameters.length}`);
+});
+
+test("each file that the package needs is in it", () => {
+  const installed = join(folder, "node_modules", "reliefshading");
+  for (const name of ["index.js", "index.d.ts", "worker.js", "parameters.json", "reliefshading.wasm", "README.md", "LICENSE"]) {
+    assert.ok(readFileSync(join(installed, name)).length > 0, name);
+  }
+});
+
+test("the WebAssembly takes at most 150 kB compressed", (t) => {
+  const bytes = gzipSync(readFileSync(join(packageFolder, "reliefshading.wasm")), { level: 9 }).length;
+  t.diagnostic(`reliefshading.wasm: ${bytes} bytes compressed`);
+  assert.ok(bytes <= 150e3, `${bytes} bytes`);
+});
+
+test("the types document every parameter", () => {
+  const types = readText(packageFolder, "index.d.ts");
+  assert.ok(!types.includes("@"), "a place was left open");
+  for (const { key, help, unit } of parameters) {
+    assert.match(types, new RegExp(`^  ${key}\\?: `, "m"));
+    assert.ok(types.includes(help), key);
+    assert.ok(unit === "" || types.includes(`Unit: ${unit}.`), key);
+  }
+});
+
+// Every line "console.log(…); // prints …" says what the example prints.
+for (const [title, file] of [["README.md", join(packageFolder, "README.md")], ["Browser.md", process.env.RELIEF_DOCUMENTATION]]) {
+  test(`the examples of ${title} do what they say`, () => {
+    const examples = [...readFileSync(file, "utf8").matchAll(/^```js\n([\s\S]*?)^```$/gm)].map((match) => match[1]);
+    assert.ok(examples.length > 0);
+    mkdirSync(join(folder, "examples"), { recursive: true });
+    examples.forEach((example, k) => {
+      const expected = [...example.matchAll(/console\.log\(.*\); \/\/ prints (.*)$/gm)].map((match) => match[1]);
+      assert.ok(expected.length > 0, `example ${k} prints nothing`);
+      assert.deepEqual(run(join("examples", `${title}-${k}.js`), example).trim().split("\n"), expected);
+    });
+  });
+}
