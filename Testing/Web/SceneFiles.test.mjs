@@ -31,12 +31,19 @@ function reliefshade(...options) {
   execFileSync(process.env.RELIEFSHADE, options, { cwd: folder, stdio: ["ignore", "ignore", "inherit"] });
 }
 
-// A picture as colours of 8 bit.
-function readPPM(file) {
+// A picture's codes: of one component where it is grey.
+function readPicture(file) {
   const bytes = readFileSync(join(folder, file));
-  const header = /^P6\s+(\d+)\s+(\d+)\s+255\s/.exec(bytes.subarray(0, 40).toString("latin1"));
-  assert.deepEqual([header[1], header[2]], [String(width), String(height)]);
-  return bytes.subarray(header[0].length);
+  const header = /^P([56])\s+(\d+)\s+(\d+)\s+255\s/.exec(bytes.subarray(0, 40).toString("latin1"));
+  assert.deepEqual([header[2], header[3]], [String(width), String(height)]);
+  return { components: header[1] === "5" ? 1 : 3, codes: bytes.subarray(header[0].length) };
+}
+
+// The file of a scene, whose azimuths reliefshade writes in [0, 360).
+function parse(text) {
+  const scene = JSON.parse(text);
+  scene.lights.forEach((light) => light.kind === "sun" && (light.azimuth %= 360));
+  return scene;
 }
 
 const scenes = {
@@ -62,7 +69,7 @@ for (const [name, options] of Object.entries(scenes)) {
     const text = await sceneToJSON({ tolerance: 0, ...options });
     writeFileSync(join(folder, "scene.json"), text);
     reliefshade("heights.asc", "native.ppm", "--scene", "scene.json");
-    const native = readPPM("native.ppm");
+    const { components, codes } = readPicture("native.ppm");
     const run = { width, height, origin: [1000, 2000] };
     const ours = (await shade(terrain, { ...run, tolerance: 0, ...options })).data;
     const back = (await shade(terrain, { ...run, ...sceneFromJSON(text) })).data;
@@ -70,7 +77,7 @@ for (const [name, options] of Object.entries(scenes)) {
     let most = 0;
     for (let k = 0; k < width * height; ++k) {
       for (let c = 0; c < 3; ++c) {
-        most = Math.max(most, Math.abs(native[3 * k + c] - ours[4 * k + c]));
+        most = Math.max(most, Math.abs(codes[components * k + (c % components)] - ours[4 * k + c]));
       }
     }
     assert.ok(most <= 1, `codes differ by ${most}`);
@@ -81,8 +88,8 @@ for (const [name, options] of Object.entries(scenes)) {
     writeFileSync(join(folder, "scene.json"), text);
     reliefshade("heights.asc", "kept.ppm", "--scene", "scene.json", "--save-scene", "kept.json");
     const kept = readFileSync(join(folder, "kept.json"), "utf8");
-    assert.deepEqual(JSON.parse(kept), JSON.parse(text));
-    assert.deepEqual(JSON.parse(await sceneToJSON(sceneFromJSON(kept))), JSON.parse(text));
+    assert.deepEqual(parse(kept), parse(text));
+    assert.deepEqual(parse(await sceneToJSON(sceneFromJSON(kept))), parse(text));
   });
 }
 
