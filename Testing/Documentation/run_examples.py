@@ -11,7 +11,7 @@ What a fenced block is depends on its language:
            against the installed package in PREFIX, and run
   sh       run by bash; reliefshade is on the PATH
   cmake    used by the cpp blocks
-  others   for reading only: console for commands that are not run, text
+  others   for reading only: console for commands that are not run, text, js, which Testing/Web runs
 
 Blocks run in order in the folder SCRATCH, in which Examples is the repository's, and may use the files
 that earlier ones have written. A line that ends in a comment "prints ..." must print just that.
@@ -29,7 +29,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 LANGUAGES = ("python", "cpp", "sh", "cmake")
-READING = ("console", "text", "glsl")
+READING = ("console", "text", "glsl", "js")
 
 
 class Block:
