@@ -28,7 +28,11 @@ function withHoles(heights) {
 
 function makePicture(columns, rows, components, Type, top) {
   const random = makeRandom(columns);
-  return { data: Type.from({ length: columns * rows * components }, () => top * random()), width: columns, height: rows };
+  return {
+    data: Type.from({ length: columns * rows * components }, () => top * random()),
+    width: columns,
+    height: rows,
+  };
 }
 
 // A panorama with a bright spot.
@@ -45,25 +49,47 @@ const exact = { tolerance: 0 };
 const everything = ["illumination", "thickness", "normals", "base", "diffuse", "scatter", "specular"];
 const marked = Int16Array.from(terrain, (h, k) => (k % 37 === 0 ? -9999 : 100 * h));
 const bytes = Uint8Array.from(terrain, (h) => 128 + 3 * h);
-const mask = Uint8Array.from({ length: samples }, (_, k) => ((k % width) - 60) ** 2 + (k / width - 40) ** 2 > 150);
+const mask = Uint8Array.from(
+  { length: samples },
+  (_, k) => ((k % width) - 60) ** 2 + (k / width - 40) ** 2 > 150,
+);
 
 const scenes = {
   default: {},
   sun: { sun: [315, 20], layers: everything },
   lowSun: { sun: [75, 4], depth: 3 },
-  disc: { sun: { azimuth: 200, altitude: 18, angularDiameter: 6 }, numberOfSunSamples: 24, layers: ["shadow"] },
+  disc: {
+    sun: { azimuth: 200, altitude: 18, angularDiameter: 6 },
+    numberOfSunSamples: 24,
+    layers: ["shadow"],
+  },
   suns: {
-    suns: [[10, 30], { azimuth: 100, altitude: 50, color: [1, 0.5, 0.2], intensity: 0.6 }, { azimuth: 20, altitude: 9, on: false },
-      { azimuth: 250, altitude: 70, intensity: -0.1 }], layers: ["illumination"],
+    suns: [
+      [10, 30],
+      { azimuth: 100, altitude: 50, color: [1, 0.5, 0.2], intensity: 0.6 },
+      { azimuth: 20, altitude: 9, on: false },
+      { azimuth: 250, altitude: 70, intensity: -0.1 },
+    ],
+    layers: ["illumination"],
   },
   lamp: { lamp: [30, 50, 25], layers: ["illumination", "thickness"] },
   lampAndSun: {
-    lamps: [{ position: [80, 10, 40], color: [1, 0.8, 0.6], intensity: 0.7 }], sun: [300, 35], specularCoefficient: 0.4,
-    specularPower: 8, specularRange: [0.2, 1], specularColor: [0.9, 1, 0.8], layers: everything,
+    lamps: [{ position: [80, 10, 40], color: [1, 0.8, 0.6], intensity: 0.7 }],
+    sun: [300, 35],
+    specularCoefficient: 0.4,
+    specularPower: 8,
+    specularRange: [0.2, 1],
+    specularColor: [0.9, 1, 0.8],
+    layers: everything,
   },
   backlight: {
-    floor: -40, lamp: [48, 40, -60], depth: 6, forwardScatterCoefficient: 0.6, forwardScatterPower: 2,
-    forwardScatterRange: [-0.2, 0.9], layers: everything,
+    floor: -40,
+    lamp: [48, 40, -60],
+    depth: 6,
+    forwardScatterCoefficient: 0.6,
+    forwardScatterPower: 2,
+    forwardScatterRange: [-0.2, 0.9],
+    layers: everything,
   },
   exponential: { sun: [120, 25], attenuation: "exponential", density: 0.3, depth: 2 },
   vertical: { sun: [315, 40], offsetMode: "vertical", depth: 4 },
@@ -77,18 +103,35 @@ const scenes = {
   combined: { preset: { name: "combined", azimuth: 315, altitude: 35 } },
   igor: { preset: "igor" },
   panorama: {
-    environment: { image: makePanorama(), rotationZ: 33, tilt: 20, sampling: "importance", numberOfSamples: 48, intensity: 0.8 },
+    environment: {
+      image: makePanorama(),
+      rotationZ: 33,
+      tilt: 20,
+      sampling: "importance",
+      numberOfSamples: 48,
+      intensity: 0.8,
+    },
   },
-  sphere: { environment: { image: "whiteDome", radius: 300, sampling: "uniform", numberOfSamples: 25 }, sun: [40, 40] },
+  sphere: {
+    environment: { image: "whiteDome", radius: 300, sampling: "uniform", numberOfSamples: 25 },
+    sun: [40, 40],
+  },
   marked: { heights: marked, nodata: -9999, heightScale: 0.012, spacing: 1.5, sun: [315, 30] },
   fitted: { heights: bytes, mask, heightScale: "auto", sun: [315, 30] },
   textures: {
-    sun: [315, 35], lamp: [10, 10, 30], specularCoefficient: 0.3, layers: everything,
-    baseTexture: makePicture(13, 9, 4, Uint8Array, 255), diffuseTexture: makePicture(width, height, 3, Float32Array, 1.5),
+    sun: [315, 35],
+    lamp: [10, 10, 30],
+    specularCoefficient: 0.3,
+    layers: everything,
+    baseTexture: makePicture(13, 9, 4, Uint8Array, 255),
+    diffuseTexture: makePicture(width, height, 3, Float32Array, 1.5),
     specularTexture: makePicture(31, 40, 1, Uint16Array, 65535),
   },
   datum: {
-    heights: Float64Array.from(terrain, (h) => 1e7 + h), sun: [315, 25], lamp: [50, 50, 1e7 + 30], floor: 1e7 - 60,
+    heights: Float64Array.from(terrain, (h) => 1e7 + h),
+    sun: [315, 25],
+    lamp: [50, 50, 1e7 + 30],
+    floor: 1e7 - 60,
     layers: ["thickness"],
   },
   oblong: { spacing: [2, 3.5], heightScale: -2, sun: [200, 25], layers: ["normals"] },
@@ -99,7 +142,11 @@ const scenes = {
 
 //--------------------------------------------------------------------------------------------------
 const numpyTypes = {
-  Int16Array: "<i2", Uint8Array: "u1", Uint16Array: "<u2", Float32Array: "<f4", Float64Array: "<f8",
+  Int16Array: "<i2",
+  Uint8Array: "u1",
+  Uint16Array: "<u2",
+  Float32Array: "<f4",
+  Float64Array: "<f8",
 };
 const capital = (word) => word[0].toUpperCase() + word.slice(1);
 
@@ -112,8 +159,13 @@ async function makeJob(name, options, folder) {
   };
   const { heights = terrain, spacing = 1, nodata, mask: given, layers = [], environment } = options;
   const job = {
-    name, spacing: typeof spacing === "number" ? [spacing, spacing] : spacing, output: options.output ?? "float", nodata,
-    heights: save("heights", heights, width, height), layers: layers.map(capital), textures: {},
+    name,
+    spacing: typeof spacing === "number" ? [spacing, spacing] : spacing,
+    output: options.output ?? "float",
+    nodata,
+    heights: save("heights", heights, width, height),
+    layers: layers.map(capital),
+    textures: {},
     fit: options.heightScale === "auto",
   };
   if (given) {
@@ -130,7 +182,13 @@ async function makeJob(name, options, folder) {
     const { image, rotationZ, tilt, numberOfSamples, intensity } = environment;
     job.environment = {
       image: save("environment", image.data, image.width, image.height),
-      values: { RotationZ: rotationZ, Tilt: tilt, NumberOfSamples: numberOfSamples, Intensity: intensity, Sampling: 2 },
+      values: {
+        RotationZ: rotationZ,
+        Tilt: tilt,
+        NumberOfSamples: numberOfSamples,
+        Intensity: intensity,
+        Sampling: 2,
+      },
     };
     forFile = { ...forFile, environment: undefined };
   }
@@ -175,11 +233,17 @@ async function compare(t, settings, boundOf) {
           const file = readFileSync(join(folder, `${name}.${label}`));
           return new Type(file.buffer.slice(file.byteOffset, file.byteOffset + file.byteLength));
         };
-        const picture = largestDifference(ours.data, read("picture", output === "float" ? Float32Array : Uint8Array));
+        const picture = largestDifference(
+          ours.data,
+          read("picture", output === "float" ? Float32Array : Uint8Array),
+        );
         const layers = Object.entries(ours.layers).map(([layer, data]) => [
-          layer, largestDifference(data, read(capital(layer), Float32Array), layer === "thickness"),
+          layer,
+          largestDifference(data, read(capital(layer), Float32Array), layer === "thickness"),
         ]);
-        const text = layers.map(([layer, difference]) => `${layer} ${difference.toExponential(1)}`).join(", ");
+        const text = layers
+          .map(([layer, difference]) => `${layer} ${difference.toExponential(1)}`)
+          .join(", ");
         t.diagnostic(`${name}: picture ${picture.toExponential(1)}${text && `, ${text}`}`);
         if (output === "float") {
           assert.ok(picture <= boundOf(name, "picture"), `the picture differs by ${picture}`);
@@ -203,9 +267,11 @@ async function compare(t, settings, boundOf) {
 }
 
 test("pictures and layers are those of the native filter", { timeout: 240000 }, (t) =>
-  compare(t, exact, (name) => bounds[name] ?? 1e-5));
+  compare(t, exact, (name) => bounds[name] ?? 1e-5),
+);
 
 test("with the default tolerance they differ by no more than twice that", { timeout: 240000 }, (t) =>
   // Both may be off by it, times the intensity of all lights, which is at most 2 here. What remains of r is
   // not bounded, only what it does to d.
-  compare(t, {}, (name, layer) => (layer === "thickness" ? Infinity : 2 * 0.0003 * 2)));
+  compare(t, {}, (name, layer) => (layer === "thickness" ? Infinity : 2 * 0.0003 * 2)),
+);

@@ -13,10 +13,24 @@ const near = (value, expected, bound, text) =>
 
 test("on level ground d is the sine of the altitude, and r what light has passed", async () => {
   for (const altitude of [5, 30, 62.5, 90]) {
-    for (const Type of [Float32Array, Float64Array, Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array]) {
+    for (const Type of [
+      Float32Array,
+      Float64Array,
+      Int8Array,
+      Uint8Array,
+      Int16Array,
+      Uint16Array,
+      Int32Array,
+      Uint32Array,
+    ]) {
       const heights = new Type(12 * 9).fill(100);
       const { layers, data } = await shade(heights, {
-        width: 12, height: 9, spacing: 30, sun: [77, altitude], layers: ["illumination", "thickness"], output: "float",
+        width: 12,
+        height: 9,
+        spacing: 30,
+        sun: [77, altitude],
+        layers: ["illumination", "thickness"],
+        output: "float",
       });
       for (let k = 0; k < heights.length; ++k) {
         near(layers.illumination[k], sine(altitude), 1e-6, Type.name);
@@ -34,7 +48,11 @@ test("on planes d is the cosine of the light's angle", async () => {
     const [east, north] = [random() - 0.5, random() - 0.5];
     const [azimuth, altitude] = [360 * random(), 50 + 40 * random()];
     const { layers } = await shade(makePlane(40, 30, east, north), {
-      width: 40, height: 30, sun: [azimuth, altitude], layers: ["illumination", "normals"], tolerance: 0,
+      width: 40,
+      height: 30,
+      sun: [azimuth, altitude],
+      layers: ["illumination", "normals"],
+      tolerance: 0,
     });
     const n = [-east, -north, 1].map((c) => c / Math.hypot(east, north, 1));
     const level = sine(90 - altitude);
@@ -90,12 +108,25 @@ test("no data is transparent, whatever says so", async () => {
   assert.deepEqual((await shade(asValue, { ...options, nodata: -9999 })).data, first.data);
   assert.deepEqual((await shade(terrain, { ...options, mask })).data, first.data);
   assert.deepEqual((await shade(Array.from(asNaN), options)).data.length, first.data.length);
-  assert.deepEqual((await shade(Array.from(asNaN, (h) => (Number.isNaN(h) ? null : h)), options)).data, first.data);
+  assert.deepEqual(
+    (
+      await shade(
+        Array.from(asNaN, (h) => (Number.isNaN(h) ? null : h)),
+        options,
+      )
+    ).data,
+    first.data,
+  );
 
   const none = await shade(new Float32Array(6).fill(NaN), { width: 3, height: 2 });
   assert.ok(none.data.every((code) => code === 0));
   assert.match(none.warnings[0], /No sample has data/);
-  const line = await shade(new Float32Array(5), { width: 5, height: 1, sun: [0, 30], layers: ["illumination"] });
+  const line = await shade(new Float32Array(5), {
+    width: 5,
+    height: 1,
+    sun: [0, 30],
+    layers: ["illumination"],
+  });
   assert.match(line.warnings[0], /5 x 1 samples has no surface/);
   near(line.layers.illumination[2], 0.5, 1e-6);
 });
@@ -115,7 +146,12 @@ test("a run gives the same bytes whenever it is made", async () => {
 test("what is given is left alone", async () => {
   const terrain = makeTerrain(20, 20);
   const copy = terrain.slice();
-  const options = Object.freeze({ width: 20, height: 20, suns: Object.freeze([Object.freeze([10, 20])]), depth: "auto" });
+  const options = Object.freeze({
+    width: 20,
+    height: 20,
+    suns: Object.freeze([Object.freeze([10, 20])]),
+    depth: "auto",
+  });
   await shade(terrain, options);
   assert.deepEqual(terrain, copy);
   // A part of a longer array.
@@ -129,8 +165,11 @@ test("heights without a unit get a scale", async () => {
   const terrain = makeTerrain(120, 90, 1);
   const options = { width: 120, height: 90 };
   const scale = await fitHeightScale(terrain, options);
-  const larger = await fitHeightScale(terrain.map((h) => 64 * h), options);
-  near((scale / larger) / 64, 1, 1e-5);
+  const larger = await fitHeightScale(
+    terrain.map((h) => 64 * h),
+    options,
+  );
+  near(scale / larger / 64, 1, 1e-5);
   const { statistics } = await shade(terrain, { ...options, heightScale: "auto" });
   assert.equal(statistics.heightScale, scale);
   assert.equal(await fitHeightScale(new Float32Array(100), { width: 10, height: 10 }), 1);
@@ -145,12 +184,20 @@ test("an automatic exposure shows next to nothing as white", async () => {
   assert.ok(bright.statistics.exposure > 2);
   const whites = bright.data.filter((code, k) => k % 4 === 0 && code === 255).length;
   assert.ok(whites < 0.006 * terrain.length);
-  assert.deepEqual((await shade(terrain, { ...options, exposure: bright.statistics.exposure })).data, bright.data);
+  assert.deepEqual(
+    (await shade(terrain, { ...options, exposure: bright.statistics.exposure })).data,
+    bright.data,
+  );
 });
 
 test("only what the scene calls for is done", async () => {
   const terrain = makeTerrain(20, 20);
-  const { statistics } = await shade(terrain, { width: 20, height: 20, sun: [315, 30], diffuseColor: [0, 0, 0] });
+  const { statistics } = await shade(terrain, {
+    width: 20,
+    height: 20,
+    sun: [315, 30],
+    diffuseColor: [0, 0, 0],
+  });
   assert.deepEqual([statistics.raysTraced, statistics.lightsTraced], [0, 0]);
   assert.deepEqual(statistics.effectsEvaluated, []);
   const off = await shade(terrain, { width: 20, height: 20, sun: { on: false } });
@@ -166,8 +213,14 @@ test("nothing breaks, whatever the numbers are", async () => {
       random() < 0.3 ? odd[Math.floor(odd.length * random())] : 10 * random(),
     );
     const options = {
-      width, height, spacing: 10 ** (20 * random() - 10), output: "float", depth: random() < 0.3 ? 0 : 10 ** (40 * random() - 20),
-      sun: [360 * random(), 180 * random() - 90], lamp: [1e30 * random(), 0, random()], floor: random() < 0.5 ? 5 : null,
+      width,
+      height,
+      spacing: 10 ** (20 * random() - 10),
+      output: "float",
+      depth: random() < 0.3 ? 0 : 10 ** (40 * random() - 20),
+      sun: [360 * random(), 180 * random() - 90],
+      lamp: [1e30 * random(), 0, random()],
+      floor: random() < 0.5 ? 5 : null,
       offsetMode: ["vertical", "normal", "tangent-plane"][run % 3],
     };
     try {

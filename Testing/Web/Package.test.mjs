@@ -18,9 +18,16 @@ let folder;
 before(() => {
   folder = mkdtempSync(join(tmpdir(), "reliefshading-"));
   const npm = (where, ...words) =>
-    execFileSync("npm", [...words, "--offline", "--no-audit", "--no-fund"], { cwd: where, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+    execFileSync("npm", [...words, "--offline", "--no-audit", "--no-fund"], {
+      cwd: where,
+      encoding: "utf8",
+      stdio: ["ignore", "pipe", "pipe"],
+    });
   const packed = npm(folder, "pack", packageFolder).trim().split("\n").pop();
-  writeFileSync(join(folder, "package.json"), JSON.stringify({ name: "user", private: true, type: "module" }));
+  writeFileSync(
+    join(folder, "package.json"),
+    JSON.stringify({ name: "user", private: true, type: "module" }),
+  );
   npm(folder, "install", `./${packed}`);
 });
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -47,7 +54,15 @@ test("it is installed from a tarball and imported by name", () => {
 
 test("each file that the package needs is in it", () => {
   const installed = join(folder, "node_modules", "reliefshading");
-  for (const name of ["index.js", "index.d.ts", "worker.js", "parameters.json", "reliefshading.wasm", "README.md", "LICENSE"]) {
+  for (const name of [
+    "index.js",
+    "index.d.ts",
+    "worker.js",
+    "parameters.json",
+    "reliefshading.wasm",
+    "README.md",
+    "LICENSE",
+  ]) {
     assert.ok(readFileSync(join(installed, name)).length > 0, name);
   }
 });
@@ -69,15 +84,27 @@ test("the types document every parameter", () => {
 });
 
 // Every line "console.log(…); // prints …" says what the example prints.
-for (const [title, file] of [["README.md", join(packageFolder, "README.md")], ["Browser.md", process.env.RELIEF_DOCUMENTATION]]) {
+for (const [title, file] of [
+  ["README.md", join(packageFolder, "README.md")],
+  ["Browser.md", process.env.RELIEF_DOCUMENTATION],
+]) {
   test(`the examples of ${title} do what they say`, () => {
-    const examples = [...readFileSync(file, "utf8").matchAll(/^```js\n([\s\S]*?)^```$/gm)].map((match) => match[1]);
+    const examples = [...readFileSync(file, "utf8").matchAll(/^```js\n([\s\S]*?)^```$/gm)].map(
+      (match) => match[1],
+    );
     assert.ok(examples.length > 0);
     mkdirSync(join(folder, "examples"), { recursive: true });
     examples.forEach((example, k) => {
-      const expected = [...example.matchAll(/console\.log\(.*\); \/\/ prints (.*)$/gm)].map((match) => match[1]);
+      const expected = [...example.matchAll(/console\.log\(.*\); \/\/ prints (.*)$/gm)].map(
+        (match) => match[1],
+      );
       assert.ok(expected.length > 0, `example ${k} prints nothing`);
-      assert.deepEqual(run(join("examples", `${title}-${k}.js`), example).trim().split("\n"), expected);
+      assert.deepEqual(
+        run(join("examples", `${title}-${k}.js`), example)
+          .trim()
+          .split("\n"),
+        expected,
+      );
     });
   });
 }

@@ -37,6 +37,15 @@ try {
   const given = Float32Array.from(heights);
   const there = await shader.shade(given, options, { transfer: true });
   lines.push("worker " + sum(there.data) + " " + there.layers.illumination.length + " given " + given.length);
+  const several = createWorkerShader({ workers: 3 });
+  const banded = await several.shade(Float32Array.from(heights), { ...options, exposure: "auto" });
+  const whole = await shade(Float32Array.from(heights), { ...options, exposure: "auto" });
+  const same = (a, b) => a.length === b.length && a.every((value, k) => value === b[k]);
+  lines.push("bands " + same(banded.data, whole.data) + " " + same(banded.layers.illumination, whole.layers.illumination) +
+    " " + banded.height);
+  const thin = await several.shade(new Float32Array(5), { width: 5, height: 1 });
+  lines.push("thin " + thin.data.length);
+  several.terminate();
   const error = await shader.shade(new Float32Array(4), { width: 2, height: 2, depth: -1 }).catch((e) => e);
   lines.push("error " + (error instanceof RangeError) + " " + error.message);
   shader.terminate();
@@ -78,12 +87,19 @@ test("a page shades, and its worker does", { timeout: 120000 }, async () => {
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   const profile = mkdtempSync(join(tmpdir(), "reliefshading-"));
   const browser = promisify(execFile)(process.env.RELIEF_CHROMIUM, [
-    "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", `--user-data-dir=${profile}`,
-    "--remote-debugging-port=0", `http://127.0.0.1:${server.address().port}/`,
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--no-first-run",
+    `--user-data-dir=${profile}`,
+    "--remote-debugging-port=0",
+    `http://127.0.0.1:${server.address().port}/`,
   ]);
   const ended = browser.catch((error) => error);
   try {
-    const lines = (await Promise.race([done, ended.then((error) => `the browser ended: ${error}`)])).split("\n");
+    const lines = (await Promise.race([done, ended.then((error) => `the browser ended: ${error}`)])).split(
+      "\n",
+    );
     const { data } = await shade(heights, { width, height, sun: [315, 20] });
     const sum = data.reduce((a, b) => a + b, 0);
     assert.deepEqual(lines, [
@@ -91,6 +107,8 @@ test("a page shades, and its worker does", { timeout: 120000 }, async () => {
       `image ${width} ${height}`,
       `free true ${4 * 600 * 600}`,
       `worker ${sum} ${width * height} given 0`,
+      `bands true true ${height}`,
+      "thin 20",
       "error true subsurfaceDepth: -1 was given, a finite number of at least 0 is expected",
       "ended the worker was terminated",
     ]);

@@ -19,7 +19,9 @@ let folder;
 before(() => {
   folder = mkdtempSync(join(tmpdir(), "reliefshading-"));
   // An ESRI grid has lengths, whose coordinates are the map's.
-  const rows = Array.from({ length: height }, (_, j) => Array.from(terrain.slice(j * width, (j + 1) * width)).join(" "));
+  const rows = Array.from({ length: height }, (_, j) =>
+    Array.from(terrain.slice(j * width, (j + 1) * width)).join(" "),
+  );
   writeFileSync(
     join(folder, "heights.asc"),
     `ncols ${width}\nnrows ${height}\nxllcenter 1000\nyllcenter 2000\ncellsize 1\n${rows.join("\n")}\n`,
@@ -49,10 +51,28 @@ function parse(text) {
 const scenes = {
   plain: {},
   everything: {
-    suns: [{ azimuth: 301.25, altitude: 22.125, color: [1, 0.8, 0.55], intensity: 0.75, angularDiameter: 3 }, [120, 60]],
-    lamps: [{ position: [1030, 2010, 25], intensity: 0.4 }], depth: 2.5, heightScale: 1.5, exposure: 0.5, response: "combined",
-    environment: { image: "clearSky", azimuth: 300, altitude: 22, turbidity: 4, intensity: 0.2, rotationZ: 10 },
-    specularCoefficient: 0.2, specularPower: 12, baseColor: [0.01, 0.02, 0.03], attenuation: "exponential", density: 0.4,
+    suns: [
+      { azimuth: 301.25, altitude: 22.125, color: [1, 0.8, 0.55], intensity: 0.75, angularDiameter: 3 },
+      [120, 60],
+    ],
+    lamps: [{ position: [1030, 2010, 25], intensity: 0.4 }],
+    depth: 2.5,
+    heightScale: 1.5,
+    exposure: 0.5,
+    response: "combined",
+    environment: {
+      image: "clearSky",
+      azimuth: 300,
+      altitude: 22,
+      turbidity: 4,
+      intensity: 0.2,
+      rotationZ: 10,
+    },
+    specularCoefficient: 0.2,
+    specularPower: 12,
+    baseColor: [0.01, 0.02, 0.03],
+    attenuation: "exponential",
+    density: 0.4,
     floor: -50,
   },
   automatic: { sun: [10, 20], exposure: "auto", depth: "auto" },

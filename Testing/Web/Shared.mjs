@@ -8,8 +8,16 @@ import { pathToFileURL } from "node:url";
 
 /** The package that was built. */
 export const packageFolder = process.env.RELIEF_PACKAGE;
-export const { createWorkerShader, fitHeightScale, init, parameters, sceneFromJSON, sceneToJSON, shade, version } =
-  await import(pathToFileURL(join(packageFolder, "index.js")).href);
+export const {
+  createWorkerShader,
+  fitHeightScale,
+  init,
+  parameters,
+  sceneFromJSON,
+  sceneToJSON,
+  shade,
+  version,
+} = await import(pathToFileURL(join(packageFolder, "index.js")).href);
 export const readText = (...names) => readFileSync(join(...names), "utf8");
 
 /** Numbers in [0, 1) that are the same on every machine. */
@@ -25,7 +33,10 @@ export function makeRandom(seed) {
 export function makeTerrain(width, height, relief = 20, seed = 1) {
   const random = makeRandom(seed);
   const waves = Array.from({ length: 12 }, (_, k) => ({
-    x: (random() - 0.5) * 0.12 * (k + 1), y: (random() - 0.5) * 0.12 * (k + 1), phase: 7 * random(), size: 1 / (k + 1.5),
+    x: (random() - 0.5) * 0.12 * (k + 1),
+    y: (random() - 0.5) * 0.12 * (k + 1),
+    phase: 7 * random(),
+    size: 1 / (k + 1.5),
   }));
   return Float32Array.from({ length: width * height }, (_, at) => {
     const i = at % width;
@@ -36,4 +47,7 @@ export function makeTerrain(width, height, relief = 20, seed = 1) {
 
 /** A plane that rises by so much from sample to sample toward the east, and toward the north. */
 export const makePlane = (width, height, east, north) =>
-  Float64Array.from({ length: width * height }, (_, at) => east * (at % width) - north * Math.floor(at / width));
+  Float64Array.from(
+    { length: width * height },
+    (_, at) => east * (at % width) - north * Math.floor(at / width),
+  );

@@ -92,9 +92,7 @@ function defaultOf(row) {
 
 // A member of an interface with its documentation.
 function member(row, table) {
-  const automatic = table.some(
-    (other) => other.owner === row.owner && other.name === `Automatic${row.name}`,
-  );
+  const automatic = table.some((other) => other.owner === row.owner && other.name === `Automatic${row.name}`);
   const auto = automatic || row.key === "heightScale" ? ' | "auto"' : "";
   const facts = [
     row.unit === "" ? "" : `Unit: ${row.unit}.`,
@@ -129,7 +127,7 @@ function makePackage(table, folder, version, readme, license) {
       `export const parameters = ${rows};\n`,
   );
   write("index.d.ts", makeTypes(table));
-  const scripts = ["index.js", "module.js", "options.js", "scene.js", "worker.js"];
+  const scripts = ["index.js", "module.js", "options.js", "scene.js", "shader.js", "values.js", "worker.js"];
   for (const name of scripts) {
     copyFileSync(join(sources, name), join(folder, name));
   }

@@ -5,7 +5,14 @@
 
 /** As ArrayType of WebHeights.h numbers them. */
 const arrayTypes = [
-  Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array, Float64Array,
+  Int8Array,
+  Uint8Array,
+  Int16Array,
+  Uint16Array,
+  Int32Array,
+  Uint32Array,
+  Float32Array,
+  Float64Array,
 ];
 
 /** As ColorTexture.h numbers them. */
@@ -13,11 +20,23 @@ const texelTypes = [Uint8Array, Uint16Array, Float32Array, Float64Array];
 
 /** As ReliefWeb.cxx numbers them. */
 export const layerNames = [
-  "illumination", "thickness", "normals", "base", "diffuse", "scatter", "specular", "shadow",
+  "illumination",
+  "thickness",
+  "normals",
+  "base",
+  "diffuse",
+  "scatter",
+  "specular",
+  "shadow",
 ];
 const components = { normals: 3, base: 3, diffuse: 3, scatter: 3, specular: 3 };
 const effectNames = [
-  "illumination", "normals", "specular", "scatter", "baseTexture", "diffuseTexture",
+  "illumination",
+  "normals",
+  "specular",
+  "scatter",
+  "baseTexture",
+  "diffuseTexture",
   "specularTexture",
 ];
 export const presetNames = ["multidirectional", "sky-dome", "sun-and-sky", "combined", "igor"];
@@ -37,7 +56,9 @@ async function compile() {
   }
   const response = await fetch(url);
   if (!response.ok) {
-    throw new Error(`reliefshading.wasm cannot be loaded: ${response.status} ${response.statusText} (${url})`);
+    throw new Error(
+      `reliefshading.wasm cannot be loaded: ${response.status} ${response.statusText} (${url})`,
+    );
   }
   // Not as a stream, which needs a server that knows the type of the file.
   return WebAssembly.compile(await response.arrayBuffer());
@@ -130,7 +151,8 @@ function setHeights(wasm, put, run) {
 }
 
 function picture(put, { data, width, height }) {
-  const plain = data instanceof Uint8ClampedArray ? new Uint8Array(data.buffer, data.byteOffset, data.length) : data;
+  const plain =
+    data instanceof Uint8ClampedArray ? new Uint8Array(data.buffer, data.byteOffset, data.length) : data;
   const type = texelTypes.findIndex((Type) => plain instanceof Type);
   return [put(plain), type, data.length / (width * height), width, height];
 }
@@ -201,7 +223,13 @@ export async function presetLights(name, azimuth, altitude) {
   for (let k = 0, at = 6; k < count; ++k, at += 7) {
     const [a, h, angularDiameter, power, ...color] = numbers.slice(at, at + 7);
     lights.push({
-      kind: "sun", azimuth: a, altitude: h, angularDiameter, intensity: power, color, on: true,
+      kind: "sun",
+      azimuth: a,
+      altitude: h,
+      angularDiameter,
+      intensity: power,
+      color,
+      on: true,
     });
   }
   return {
@@ -211,8 +239,11 @@ export async function presetLights(name, azimuth, altitude) {
   };
 }
 
-/** Shades a run; see index.d.ts for what comes of it. */
-export function shadeRun(run) {
+/**
+ * Shades a run, or only part k of so many bands of rows, from the south; see index.d.ts for what comes of it.
+ * A band may have no rows.
+ */
+export function shadeRun(run, [k, bands] = [0, 1]) {
   return using((wasm, put) => {
     setHeights(wasm, put, run);
     run.parameters.forEach((value, number) => wasm.reliefParameter(number, ...value));
@@ -227,12 +258,18 @@ export function shadeRun(run) {
     if (run.output === "float") {
       wasm.reliefWantFloat();
     }
+    // Whole tiles, as evenly as may be.
+    const tile = wasm.reliefTileHeight();
+    const border = (at) => Math.min(run.height, Math.round(((at / bands) * run.height) / tile) * tile);
+    const first = border(k);
+    const height = (k + 1 === bands ? run.height : border(k + 1)) - first;
+    wasm.reliefRows(first, height);
     const wrong = textAt(wasm, wasm.reliefShade());
     if (wrong !== "") {
       throw new RangeError(wrong);
     }
 
-    const { width, height } = run;
+    const { width } = run;
     const Type = run.output === "float" ? Float32Array : Uint8ClampedArray;
     const layers = {};
     for (const name of run.layers) {

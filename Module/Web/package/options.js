@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Options as users write them, checked and made a description of a run. A value that is out of range is
-// a RangeError, one of another type or a word that nobody knows a TypeError.
+// Options as users write them, checked and made a description of a run.
 
 import { parameters } from "./parameters.js";
 import { layerNames, presetNames } from "./module.js";
+import {
+  defaultOf,
+  needFinite,
+  needNumber,
+  needObject,
+  needVector,
+  needWord,
+  rangeError,
+  readParameters,
+  refuseUnknown,
+  shown,
+  typeError,
+} from "./values.js";
 
 const ofOwner = (...owners) => parameters.filter((row) => owners.includes(row.owner));
 /** What scene, material and environment have, in the order of their numbers. */
@@ -16,216 +28,6 @@ export const lightRows = ofOwner("light");
 
 const usualSun = [315, 45];
 const usualTurbidity = 3;
-
-//--------------------------------------------------------------------------------------------------
-// Messages.
-
-/** A value as part of a message. */
-export function shown(value) {
-  if (ArrayBuffer.isView(value)) {
-    return `${value.constructor.name} of ${value.length}`;
-  }
-  if (typeof value === "bigint" || typeof value === "function" || typeof value === "symbol") {
-    return typeof value;
-  }
-  let text;
-  try {
-    text = JSON.stringify(value, (key, inner) =>
-      typeof inner === "number" && !Number.isFinite(inner) ? String(inner) : inner,
-    );
-  } catch {
-    text = undefined;
-  }
-  text = typeof value === "number" ? String(value) : (text ?? String(value));
-  return text.length > 60 ? `${text.slice(0, 60)} ...` : text;
-}
-
-const given = (name, value, expected) => `${name}: ${shown(value)} was given, ${expected} expected`;
-export const typeError = (name, value, expected) => new TypeError(given(name, value, expected));
-export const rangeError = (name, value, expected) => new RangeError(given(name, value, expected));
-
-const listed = (words) =>
-  words.map((word, k) => (k === 0 ? "" : k + 1 < words.length ? ", " : " or ") + `"${word}"`).join("");
-
-// How many letters are to be changed to make one word of another.
-function distance(a, b) {
-  let row = Array.from({ length: b.length + 1 }, (_, k) => k);
-  for (let i = 1; i <= a.length; ++i) {
-    const next = [i];
-    for (let j = 1; j <= b.length; ++j) {
-      next.push(Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1)));
-    }
-    row = next;
-  }
-  return row[b.length];
-}
-
-function suggestion(word, known) {
-  const lower = word.toLowerCase();
-  const scored = known
-    .map((name) => ({ name, score: distance(lower, name.toLowerCase()) }))
-    .sort((a, b) => a.score - b.score);
-  const best = scored[0];
-  return best && best.score <= Math.max(2, word.length / 3) ? `; did you mean ${best.name}?` : "";
-}
-
-function refuseUnknown(path, object, known) {
-  for (const key of Object.keys(object)) {
-    if (!known.includes(key)) {
-      throw new TypeError(`${path}${key}: there is no such option${suggestion(key, known)}`);
-    }
-  }
-}
-
-//--------------------------------------------------------------------------------------------------
-// Single values.
-
-const plainWord = (word) => word.toLowerCase().replace(/[-_ ]/g, "");
-export const sameWord = (a, b) => plainWord(a) === plainWord(b);
-
-function needObject(name, value, expected = "an object is") {
-  if (typeof value !== "object" || value === null || Array.isArray(value) || ArrayBuffer.isView(value)) {
-    throw typeError(name, value, expected);
-  }
-  return value;
-}
-
-export function needNumber(name, value, expected = "a number is") {
-  if (typeof value !== "number") {
-    throw typeError(name, value, expected);
-  }
-  return value;
-}
-
-export function needFinite(name, value, expected = "a finite number is") {
-  if (!Number.isFinite(needNumber(name, value, expected))) {
-    throw rangeError(name, value, expected);
-  }
-  return value;
-}
-
-/** An array of so many numbers. */
-export function needVector(name, value, size, finite = "finite components are") {
-  const good = (Array.isArray(value) || ArrayBuffer.isView(value)) && value.length === size;
-  if (!good || !Array.prototype.every.call(value, (c) => typeof c === "number")) {
-    throw typeError(name, value, `an array of ${size} numbers is`);
-  }
-  const numbers = Array.from(value);
-  if (!numbers.every(Number.isFinite)) {
-    throw rangeError(name, value, finite);
-  }
-  return numbers;
-}
-
-export function needWord(name, value, words) {
-  const place = typeof value === "string" ? words.findIndex((word) => sameWord(word, value)) : -1;
-  if (place < 0) {
-    throw typeError(name, value, `${listed(words)} is`);
-  }
-  return place;
-}
-
-// What the values of a parameter are, as the setters of C++ say it.
-function expectation({ kind, minimum, maximum, minimumOpen }) {
-  switch (kind) {
-    case "color":
-      return minimum === null ? "finite components are" : `finite components of at least ${minimum} are`;
-    case "range":
-      return "two finite numbers of which the first is not the larger are";
-  }
-  if (minimum !== null && maximum !== null) {
-    return `a number in [${minimum}, ${maximum}] is`;
-  }
-  const number = kind === "length" ? "a number" : "a finite number";
-  return minimum === null ? `${number} is` : `${number} ${minimumOpen ? "above" : "of at least"} ${minimum} is`;
-}
-
-/** The value of a parameter, as a number, a boolean, an array, or the place of a choice. */
-export function readParameter(row, name, value) {
-  const expected = expectation(row);
-  switch (row.kind) {
-    case "flag":
-      if (typeof value !== "boolean") {
-        throw typeError(name, value, "true or false is");
-      }
-      return value;
-    case "choice": {
-      const place = row.choices.findIndex(
-        (choice) => typeof value === "string" && (sameWord(choice.name, value) || sameWord(choice.word, value)),
-      );
-      if (place < 0) {
-        throw typeError(name, value, `${listed(row.choices.map((choice) => choice.word))} is`);
-      }
-      return place;
-    }
-    case "color":
-    case "range": {
-      const size = row.kind === "color" ? 3 : 2;
-      const numbers = needVector(name, value, size, expected);
-      if (row.minimum !== null && numbers.some((c) => c < row.minimum)) {
-        throw rangeError(name, value, expected);
-      }
-      if (row.kind === "range" && numbers[0] > numbers[1]) {
-        throw rangeError(name, value, expected);
-      }
-      return numbers;
-    }
-    default: {
-      const number = row.kind === "length" && value === "infinite" ? Infinity : value;
-      needNumber(name, number, row.kind === "length" ? 'a number or "infinite" is' : "a number is");
-      if (row.kind === "count" && !Number.isInteger(number) && Number.isFinite(number)) {
-        throw typeError(name, value, "a whole number is");
-      }
-      const low = row.minimum === null ? -Infinity : row.minimum;
-      const high = row.maximum === null ? Infinity : row.maximum;
-      const inside = (row.minimumOpen ? number > low : number >= low) && number <= high;
-      if (!inside || (!Number.isFinite(number) && row.kind !== "length")) {
-        throw rangeError(name, value, expected);
-      }
-      return number;
-    }
-  }
-}
-
-/** The default of a parameter, as readParameter() gives it. */
-export function defaultOf(row) {
-  switch (row.kind) {
-    case "flag":
-      return row.default[0] !== 0;
-    case "color":
-    case "range":
-      return [...row.default];
-    default:
-      return row.default[0] ?? Infinity;
-  }
-}
-
-const automaticOf = (row, rows) => rows.find((other) => other.name === `Automatic${row.name}`);
-
-/**
- * Values of rows by their keys, defaults where none is given. A parameter that can be automatic takes
- * "auto"; any other value turns that off, unless the switch of its own is given, too.
- */
-function readParameters(rows, path, options) {
-  const values = {};
-  for (const row of rows) {
-    values[row.key] ??= defaultOf(row);
-    const value = options[row.key];
-    const automatic = automaticOf(row, rows);
-    if (value === undefined) {
-      continue;
-    }
-    if (automatic && value === "auto") {
-      values[automatic.key] = true;
-    } else {
-      values[row.key] = readParameter(row, path + row.key, value);
-      if (automatic) {
-        values[automatic.key] = false;
-      }
-    }
-  }
-  return values;
-}
 
 //--------------------------------------------------------------------------------------------------
 // Lights.
@@ -300,7 +102,8 @@ function readLights(options) {
 
 async function readPreset(options, presetLights) {
   const value = options.preset;
-  const object = typeof value === "string" ? { name: value } : needObject("preset", value, "a name or an object is");
+  const object =
+    typeof value === "string" ? { name: value } : needObject("preset", value, "a name or an object is");
   refuseUnknown("preset.", object, ["name", "azimuth", "altitude"]);
   const name = presetNames[needWord("preset", object.name, presetNames)];
   const { azimuth = usualSun[0], altitude = usualSun[1] } = object;
@@ -327,13 +130,17 @@ function readPicture(name, value) {
   const { data, width, height } = needObject(name, value, "{ data, width, height } is");
   if (!texelTypes.some((Type) => data instanceof Type)) {
     throw typeError(
-      `${name}.data`, data, "an array of 8 or 16 bit (sRGB), Float32Array or Float64Array (linear) is",
+      `${name}.data`,
+      data,
+      "an array of 8 or 16 bit (sRGB), Float32Array or Float64Array (linear) is",
     );
   }
   checkSize(name, width, height);
   if (![1, 2, 3, 4].includes(data.length / (width * height))) {
     throw rangeError(
-      `${name}.data`, data, `1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha) for each of ${width} x ${height} texels are`,
+      `${name}.data`,
+      data,
+      `1 (grey), 2 (grey, alpha), 3 (RGB) or 4 (RGB, alpha) for each of ${width} x ${height} texels are`,
     );
   }
   return { data, width, height };
@@ -354,10 +161,16 @@ const environmentKeys = environmentRows.map((row) => row.key);
 
 /** An environment, upon what a preset brings of one. */
 function readEnvironment(value, ofPreset) {
-  const object = typeof value === "string" ? { image: value } : needObject("environment", value, "a name or an object is");
+  const object =
+    typeof value === "string" ? { image: value } : needObject("environment", value, "a name or an object is");
   const { image, azimuth, altitude, turbidity, file } = object;
   refuseUnknown("environment.", object, [
-    "image", "azimuth", "altitude", "turbidity", "file", ...environmentKeys,
+    "image",
+    "azimuth",
+    "altitude",
+    "turbidity",
+    "file",
+    ...environmentKeys,
   ]);
   if (image === undefined && !ofPreset) {
     throw typeError("environment.image", image, '"whiteDome", "clearSky" or { data, width, height } is');
@@ -406,12 +219,29 @@ function presetEnvironment({ image, intensity, numberOfSamples, sampling, azimut
 //--------------------------------------------------------------------------------------------------
 /** The options of a scene; others are those of a run. */
 export const sceneKeys = [
-  "preset", "sun", "suns", "lamp", "lamps", "lights", "environment", "depth", "floor",
-  ...sceneRows.map((row) => row.key), ...materialRows.map((row) => row.key),
+  "preset",
+  "sun",
+  "suns",
+  "lamp",
+  "lamps",
+  "lights",
+  "environment",
+  "depth",
+  "floor",
+  ...sceneRows.map((row) => row.key),
+  ...materialRows.map((row) => row.key),
 ];
 const textureKeys = { baseTexture: "base", diffuseTexture: "diffuse", specularTexture: "specular" };
 const runKeys = [
-  "width", "height", "spacing", "origin", "nodata", "mask", "layers", "output", ...Object.keys(textureKeys),
+  "width",
+  "height",
+  "spacing",
+  "origin",
+  "nodata",
+  "mask",
+  "layers",
+  "output",
+  ...Object.keys(textureKeys),
 ];
 
 // Short names of parameters, as those.
@@ -425,7 +255,9 @@ function spelledOut(options) {
   }
   if (floor !== undefined && floor !== null) {
     if (rest.floorHeight !== undefined || rest.useFloor !== undefined) {
-      throw new TypeError("floor: floorHeight or useFloor was given, too, and is the same; leave one of them out");
+      throw new TypeError(
+        "floor: floorHeight or useFloor was given, too, and is the same; leave one of them out",
+      );
     }
     rest.floorHeight = needFinite("floor", floor);
     rest.useFloor = true;
@@ -444,12 +276,20 @@ export async function readScene(given, presetLights) {
   }
   const lights = [...(preset?.lights ?? []), ...readLights(options)];
   const sky = preset?.environment;
-  const brought = sky ? presetEnvironment({ ...sky, ...preset.lights[0] && {
-    azimuth: preset.lights[0].azimuth, altitude: preset.lights[0].altitude,
-  }, intensity: sky.intensity }) : null;
-  const environment = options.environment === undefined || options.environment === null
-    ? brought
-    : readEnvironment(options.environment, brought);
+  const brought = sky
+    ? presetEnvironment({
+        ...sky,
+        ...(preset.lights[0] && {
+          azimuth: preset.lights[0].azimuth,
+          altitude: preset.lights[0].altitude,
+        }),
+        intensity: sky.intensity,
+      })
+    : null;
+  const environment =
+    options.environment === undefined || options.environment === null
+      ? brought
+      : readEnvironment(options.environment, brought);
   return { scene, material: readParameters(materialRows, "", options), lights, environment, fitted };
 }
 
@@ -464,7 +304,14 @@ function numbersOf({ scene, material, environment }) {
 }
 
 const heightTypes = [
-  Int8Array, Uint8Array, Uint8ClampedArray, Int16Array, Uint16Array, Int32Array, Uint32Array, Float32Array,
+  Int8Array,
+  Uint8Array,
+  Uint8ClampedArray,
+  Int16Array,
+  Uint16Array,
+  Int32Array,
+  Uint32Array,
+  Float32Array,
   Float64Array,
 ];
 
@@ -475,7 +322,11 @@ function readHeights(heights, width, height) {
   } else if (heights instanceof Uint8ClampedArray) {
     array = new Uint8Array(heights.buffer, heights.byteOffset, heights.length);
   } else if (!heightTypes.some((Type) => heights instanceof Type)) {
-    throw typeError("heights", heights, "a typed array of integers up to 32 bit or of floats, or an array of numbers, is");
+    throw typeError(
+      "heights",
+      heights,
+      "a typed array of integers up to 32 bit or of floats, or an array of numbers, is",
+    );
   }
   checkSize("", width, height);
   if (array.length !== width * height) {
@@ -494,7 +345,9 @@ function readMask(mask, samples) {
     throw typeError("mask", mask, "an array, 0 where there are no data, is");
   }
   if (mask.length !== samples) {
-    throw new RangeError(`mask: ${mask.length} values were given, ${samples} are expected, as many as heights`);
+    throw new RangeError(
+      `mask: ${mask.length} values were given, ${samples} are expected, as many as heights`,
+    );
   }
   return mask instanceof Uint8Array ? mask : Uint8Array.from(mask, (value) => (Number(value) ? 1 : 0));
 }

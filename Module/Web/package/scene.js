@@ -2,10 +2,8 @@
 //
 // Scenes as the files that reliefshade --scene takes, which Documentation/SceneFile.md describes.
 
-import {
-  environmentRows, lightRows, materialRows, needFinite, needVector, needWord, readParameter, readScene, sceneKeys,
-  sceneRows, shown, typeError,
-} from "./options.js";
+import { environmentRows, lightRows, materialRows, readScene, sceneKeys, sceneRows } from "./options.js";
+import { needFinite, needVector, needWord, readParameter, shown, typeError } from "./values.js";
 
 const fileVersion = 1;
 const imageWords = ["none", "whiteDome", "clearSky", "file"];
@@ -33,7 +31,9 @@ function valueText(row, value) {
 }
 
 const valuesOf = (rows, values) =>
-  rows.filter((row) => values[row.key] !== undefined).map((row) => [row.key, valueText(row, values[row.key])]);
+  rows
+    .filter((row) => values[row.key] !== undefined)
+    .map((row) => [row.key, valueText(row, values[row.key])]);
 
 // Lines of an object's members: texts, or lists of members or of objects.
 function lines(members, indent) {
@@ -45,7 +45,10 @@ const block = (members, indent) => `{\n${lines(members, `${indent}  `)}\n${inden
 function lightMembers(light) {
   const place =
     light.kind === "sun"
-      ? [["azimuth", numberText(light.azimuth)], ["altitude", numberText(light.altitude)]]
+      ? [
+          ["azimuth", numberText(light.azimuth)],
+          ["altitude", numberText(light.altitude)],
+        ]
       : [["position", vectorText(light.position)]];
   const toward = light.toward ? [["toward", vectorText(light.toward)]] : [];
   return [["kind", `"${light.kind}"`], ...place, ...toward, ...valuesOf(lightRows, light)];
@@ -59,9 +62,16 @@ function environmentMembers(environment) {
     );
   }
   const word = image === "picture" ? "file" : image;
-  const more = word === "file" ? [["file", JSON.stringify(file)]] : word === "clearSky"
-    ? [["azimuth", numberText(azimuth)], ["altitude", numberText(altitude)], ["turbidity", numberText(turbidity)]]
-    : [];
+  const more =
+    word === "file"
+      ? [["file", JSON.stringify(file)]]
+      : word === "clearSky"
+        ? [
+            ["azimuth", numberText(azimuth)],
+            ["altitude", numberText(altitude)],
+            ["turbidity", numberText(turbidity)],
+          ]
+        : [];
   return [["image", `"${word}"`], ...more, ...valuesOf(environmentRows, environment)];
 }
 
@@ -121,7 +131,11 @@ function readLight(light, path, unknown) {
   if (kind === 1) {
     const values = readMembers(light, path, lightRows, ["kind", "position"], unknown);
     delete values.angularDiameter; // means nothing for a lamp
-    return { kind: "point", position: needVector(`${path}position`, need(light, path, "position"), 3), ...values };
+    return {
+      kind: "point",
+      position: needVector(`${path}position`, need(light, path, "position"), 3),
+      ...values,
+    };
   }
   const sun = {
     kind: "sun",
@@ -182,7 +196,8 @@ export function sceneFromText(text) {
       throw typeError("material", object.material, "an object is");
     }
     Object.assign(
-      options, withAutomatic(readMembers(object.material, "material.", materialRows, [], unknown), materialRows),
+      options,
+      withAutomatic(readMembers(object.material, "material.", materialRows, [], unknown), materialRows),
     );
   }
   if (object.lights !== undefined) {

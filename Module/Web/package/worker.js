@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What createWorkerShader() starts: answers one call after the other. Results are handed over, not copied.
+// What shader.js starts: answers one call after the other. Results are handed over, not copied.
 
-import { fitHeightScale, shade } from "./index.js";
+import { fitScale, presetLights, shadeRun } from "./module.js";
+import { readField, readRun } from "./options.js";
 
-const answers = { shade, fitHeightScale };
+const answers = {
+  shade: async (heights, options, band) =>
+    shadeRun(await readRun(heights, options, { presetLights, fitScale }), band),
+  fitHeightScale: (heights, options) => fitScale(readField(heights, options)),
+};
 
-self.onmessage = async ({ data: { call, what, heights, options } }) => {
+async function answer({ call, what, heights, options, band }) {
   try {
-    const result = await answers[what](heights, options);
+    const result = await answers[what](heights, options, band);
     const arrays = result.data ? [result.data, ...Object.values(result.layers)] : [];
-    self.postMessage({ call, result }, arrays.map((array) => array.buffer));
+    self.postMessage(
+      { call, result },
+      arrays.map((array) => array.buffer),
+    );
   } catch (error) {
     self.postMessage({ call, error: { name: error.name, message: error.message } });
   }
+}
+
+let last = Promise.resolve(); // so that they are answered in their order
+self.onmessage = ({ data }) => {
+  last = last.then(() => answer(data));
 };

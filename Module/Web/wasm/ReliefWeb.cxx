@@ -62,6 +62,8 @@ struct Run
   WebScene scene;
   bool wanted[NumberOfLayers] = {};
   bool eightBit = true;
+  int firstRow = 0; ///< of those that are shaded, from the south; all at first
+  int rows = 0;
   std::unique_ptr<float[]> layers[NumberOfLayers];
   std::unique_ptr<unsigned char[]> codes;
   double numbers[NumberOfNumbers] = {};
@@ -74,10 +76,11 @@ bool OutOfMemory = false;
 Target MakeTarget(Run& run)
 {
   const std::size_t samples =
-    static_cast<std::size_t>(run.heights.columns) * static_cast<std::size_t>(run.heights.rows);
+    static_cast<std::size_t>(run.heights.columns) * static_cast<std::size_t>(run.rows);
   Target target;
   target.width = run.heights.columns;
-  target.rows = run.heights.rows;
+  target.j0 = run.firstRow;
+  target.rows = run.rows;
   if (run.eightBit)
   {
     run.codes.reset(new unsigned char[4 * samples]);
@@ -100,8 +103,8 @@ Target MakeTarget(Run& run)
 
 void CountTexels(Run& run, int effects)
 {
-  const std::pair<const ColorTexture*, int> textures[] = {
-    { &run.scene.baseTexture, BaseTextureEffect },
+  const std::pair<const ColorTexture*, int> textures[] = { { &run.scene.baseTexture,
+                                                             BaseTextureEffect },
     { &run.scene.diffuseTexture, DiffuseTextureEffect },
     { &run.scene.specularTexture, SpecularTextureEffect } };
   for (const auto& [texture, effect] : textures)
@@ -117,8 +120,7 @@ std::string Shade(Run& run)
   Scene scene = MaterialOf(run.scene, run.heights);
   HeightField field;
   const bool padded = SceneShading::WantsPadding(scene, run.heights.columns);
-  const std::string wrong =
-    Assign(run.heights, run.scene[key::SceneHeightScale], padded, field);
+  const std::string wrong = Assign(run.heights, run.scene[key::SceneHeightScale], padded, field);
   if (!wrong.empty())
   {
     return wrong;
@@ -144,7 +146,7 @@ std::string Shade(Run& run)
     cells = static_cast<double>(exposure.GetShading().GetCellsVisited());
   }
   SceneShading shading(field, scene, MakeTarget(run));
-  shading.Shade(0, run.heights.columns, 0, run.heights.rows);
+  shading.Shade(0, run.heights.columns, run.firstRow, run.firstRow + run.rows);
   PictureWriter::Flush();
   run.numbers[LightsTraced] = shading.GetLightsTraced();
   run.numbers[RaysTraced] = rays + static_cast<double>(shading.GetRaysTraced());
@@ -223,6 +225,20 @@ RELIEF_EXPORT void reliefHeights(
   heights.rows = rows;
   heights.spacing[0] = spacingX;
   heights.spacing[1] = spacingY;
+  TheRun->rows = rows;
+}
+
+// The rows that are shaded, from the south; those that begin and end at multiples of a tile cost
+// least.
+RELIEF_EXPORT void reliefRows(int first, int count)
+{
+  TheRun->firstRow = first;
+  TheRun->rows = count;
+}
+
+RELIEF_EXPORT int reliefTileHeight()
+{
+  return SweepThickness::TileHeight;
 }
 
 RELIEF_EXPORT void reliefNoData(double value)
@@ -261,8 +277,7 @@ RELIEF_EXPORT void reliefSun(double azimuth, double altitude, double x, double y
   const glm::dvec3& v = source.light.vector;
   const double length = std::hypot(x, y, z);
   // As sine of the angle between them: it has digits where the cosine is 1.
-  const double apart =
-    std::hypot(v.y * z - v.z * y, v.z * x - v.x * z, v.x * y - v.y * x) / length;
+  const double apart = std::hypot(v.y * z - v.z * y, v.z * x - v.x * z, v.x * y - v.y * x) / length;
   if (length > 0.0 && v.x * x + v.y * y + v.z * z > 0.0 && apart < 1e-8 * Degree)
   {
     source.light.vector = glm::dvec3(x / length, y / length, z / length);
@@ -349,10 +364,10 @@ RELIEF_EXPORT const double* reliefPreset(int which, double azimuth, double altit
     : which == 3                        ? CombinedLights(azimuth, altitude)
                                         : IgorLights(azimuth);
   double* to = numbers;
-  for (const double number : { static_cast<double>(preset.sky), preset.skyIntensity,
-         static_cast<double>(preset.skySamples), static_cast<double>(preset.skySampling),
-         static_cast<double>(preset.response.value_or(-1)),
-         static_cast<double>(preset.suns.size()) })
+  for (const double number :
+    { static_cast<double>(preset.sky), preset.skyIntensity, static_cast<double>(preset.skySamples),
+      static_cast<double>(preset.skySampling), static_cast<double>(preset.response.value_or(-1)),
+      static_cast<double>(preset.suns.size()) })
   {
     *to++ = number;
   }

@@ -66,16 +66,15 @@ void ForRows(int count, const std::function<void(int, int)>& body)
 std::string Assign(const WebHeights& heights, double scale, bool padded, HeightField& field)
 {
   std::string wrong;
-  WithSource(heights, scale,
-    [&](const auto& source) { wrong = field.Assign(source, ForRows, padded); });
+  WithSource(
+    heights, scale, [&](const auto& source) { wrong = field.Assign(source, ForRows, padded); });
   return wrong;
 }
 
 double FitScale(const WebHeights& heights)
 {
   double scale = 0.0;
-  WithSource(
-    heights, 1.0, [&](const auto& source) { scale = FitHeightScale(source, ForRows); });
+  WithSource(heights, 1.0, [&](const auto& source) { scale = FitHeightScale(source, ForRows); });
   return scale;
 }
 

@@ -32,8 +32,7 @@ RadianceMap MapOf(const WebScene& scene)
   }
 }
 
-void AddEnvironment(
-  const WebScene& scene, const HeightField& field, Scene& result, int& cleaned)
+void AddEnvironment(const WebScene& scene, const HeightField& field, Scene& result, int& cleaned)
 {
   if (scene.sky == Sky::None)
   {
@@ -78,8 +77,9 @@ WebScene::Source SourceOf(const LightPreset::Sun& sun)
 Scene MaterialOf(const WebScene& scene, const WebHeights& heights)
 {
   const auto& values = scene.values;
-  auto falloff = [&](key::Parameter range, key::Parameter power)
-  { return f64::ReliefFalloff{ values[range][0], values[range][1], values[power][0] }; };
+  auto falloff = [&](key::Parameter range, key::Parameter power) {
+    return f64::ReliefFalloff{ values[range][0], values[range][1], values[power][0] };
+  };
   Scene result;
   result.base = ColorOf(values[key::MaterialBaseColor]);
   result.diffuse = ColorOf(values[key::MaterialDiffuseColor]);
@@ -87,7 +87,8 @@ Scene MaterialOf(const WebScene& scene, const WebHeights& heights)
   result.specularCoefficient = scene[key::MaterialSpecularCoefficient];
   result.scatterCoefficient = scene[key::MaterialForwardScatterCoefficient];
   result.specularFalloff = falloff(key::MaterialSpecularRange, key::MaterialSpecularPower);
-  result.scatterFalloff = falloff(key::MaterialForwardScatterRange, key::MaterialForwardScatterPower);
+  result.scatterFalloff =
+    falloff(key::MaterialForwardScatterRange, key::MaterialForwardScatterPower);
   result.medium.depth = scene[key::MaterialAutomaticSubsurfaceDepth] != 0.0
     ? (heights.spacing[0] + heights.spacing[1]) / 2.0
     : scene[key::MaterialSubsurfaceDepth];
@@ -97,7 +98,8 @@ Scene MaterialOf(const WebScene& scene, const WebHeights& heights)
   result.medium.useFloor = scene[key::MaterialUseFloor] != 0.0;
   result.medium.floorHeight = scene[key::MaterialFloorHeight];
   result.medium.tolerance = scene[key::SceneTolerance];
-  result.integrator = scene[key::SceneIntegrator] == 0.0 ? Integrator::Exact : Integrator::FixedStep;
+  result.integrator =
+    scene[key::SceneIntegrator] == 0.0 ? Integrator::Exact : Integrator::FixedStep;
   result.steps = static_cast<int>(scene[key::SceneNumberOfSteps]);
   result.response = static_cast<int>(scene[key::SceneResponse]);
   result.exposure = scene[key::SceneExposure];
