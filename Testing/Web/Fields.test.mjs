@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { fitHeightScale, makePlane, makeRandom, makeTerrain, shade } from "./Shared.mjs";
+import { fitHeightScale, makePlane, makeRandom, makeTerrain, parameters, shade } from "./Shared.mjs";
 
 const sine = (degrees) => Math.sin((degrees * Math.PI) / 180);
 const near = (value, expected, bound, text) =>
@@ -202,6 +202,82 @@ test("only what the scene calls for is done", async () => {
   assert.deepEqual(statistics.effectsEvaluated, []);
   const off = await shade(terrain, { width: 20, height: 20, sun: { on: false } });
   assert.ok(off.data.every((code, k) => code === (k % 4 === 3 ? 255 : 0)));
+});
+
+test("every parameter changes the picture or what is done for it", async () => {
+  const terrain = makeTerrain(48, 40);
+  const sun = { azimuth: 315, altitude: 20 };
+  const lit = { sun: [315, 20] };
+  const shiny = { ...lit, specularCoefficient: 0.5 };
+  const backlit = { lamp: [24, 20, -60], floor: -50, depth: 6, forwardScatterCoefficient: 0.5 };
+  const sky = { image: "clearSky", azimuth: 100, altitude: 30 };
+  // Two scenes that differ in that parameter alone.
+  const pairs = {
+    scene: {
+      heightScale: [lit, { ...lit, heightScale: 2 }],
+      integrator: [lit, { ...lit, integrator: "fixed-step" }],
+      tolerance: [lit, { ...lit, tolerance: 0.2 }],
+      numberOfSteps: [16, 64].map((numberOfSteps) => ({ ...lit, integrator: "fixed-step", numberOfSteps })),
+      response: [lit, { ...lit, response: "igor" }],
+      numberOfSunSamples: [2, 9].map((numberOfSunSamples) => ({
+        sun: { ...sun, angularDiameter: 9 },
+        numberOfSunSamples,
+      })),
+      exposure: [lit, { ...lit, exposure: -1 }],
+      automaticExposure: [lit, { ...lit, automaticExposure: true }],
+    },
+    material: {
+      baseColor: [lit, { ...lit, baseColor: [0, 0.2, 0] }],
+      diffuseColor: [lit, { ...lit, diffuseColor: [1, 0.5, 1] }],
+      specularColor: [shiny, { ...shiny, specularColor: [0, 1, 0] }],
+      specularCoefficient: [lit, shiny],
+      specularRange: [shiny, { ...shiny, specularRange: [-1, 0.5] }],
+      specularPower: [shiny, { ...shiny, specularPower: 9 }],
+      forwardScatterCoefficient: [backlit, { ...backlit, forwardScatterCoefficient: 1 }],
+      forwardScatterRange: [backlit, { ...backlit, forwardScatterRange: [0.5, 1] }],
+      forwardScatterPower: [backlit, { ...backlit, forwardScatterPower: 4 }],
+      subsurfaceDepth: [lit, { ...lit, subsurfaceDepth: 9 }],
+      automaticSubsurfaceDepth: [false, true].map((automatic) => ({
+        ...lit,
+        subsurfaceDepth: 9,
+        automaticSubsurfaceDepth: automatic,
+      })),
+      offsetMode: [lit, { ...lit, offsetMode: "vertical" }],
+      attenuation: [lit, { ...lit, attenuation: "exponential" }],
+      density: [0.5, 2].map((density) => ({ ...lit, attenuation: "exponential", density })),
+      useFloor: [backlit, { ...backlit, floor: undefined }],
+      floorHeight: [backlit, { ...backlit, floor: -30 }],
+    },
+    environment: {
+      rotationZ: [sky, { ...sky, rotationZ: 90 }],
+      tilt: [sky, { ...sky, tilt: 30 }],
+      intensity: [sky, { ...sky, intensity: 0.5 }],
+      radius: [sky, { ...sky, radius: 60 }],
+      sampling: [sky, { ...sky, sampling: "uniform" }],
+      numberOfSamples: [sky, { ...sky, numberOfSamples: 16 }],
+    },
+    light: {
+      angularDiameter: [sun, { ...sun, angularDiameter: 9 }],
+      color: [sun, { ...sun, color: [1, 0.5, 0] }],
+      intensity: [sun, { ...sun, intensity: 0.5 }],
+      on: [sun, { ...sun, on: false }],
+    },
+  };
+  const wrap = {
+    scene: (o) => o,
+    material: (o) => o,
+    environment: (o) => ({ environment: o }),
+    light: (o) => ({ sun: o }),
+  };
+  for (const { owner, key } of parameters) {
+    assert.ok(pairs[owner][key], `${owner}.${key} has no scenes here`);
+    const results = [];
+    for (const options of pairs[owner][key]) {
+      const { data } = await shade(terrain, { width: 48, height: 40, ...wrap[owner](options) });
+      results.push(data);
+    }
+    assert.notDeepEqual(results[0], results[1], `${owner}.${key} changes nothing`);
+  }
 });
 
 test("nothing breaks, whatever the numbers are", async () => {

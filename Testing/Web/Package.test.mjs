@@ -5,7 +5,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -71,6 +71,24 @@ test("the WebAssembly takes at most 150 kB compressed", (t) => {
   const bytes = gzipSync(readFileSync(join(packageFolder, "reliefshading.wasm")), { level: 9 }).length;
   t.diagnostic(`reliefshading.wasm: ${bytes} bytes compressed`);
   assert.ok(bytes <= 150e3, `${bytes} bytes`);
+});
+
+test("where memory runs out there is one error, and the next run is well", () => {
+  // A copy whose memory may have 48 MiB: in section 5 the greatest number of pages, which is 65536, has 3 bytes.
+  const small = join(folder, "small");
+  cpSync(packageFolder, small, { recursive: true });
+  const wasm = readFileSync(join(small, "reliefshading.wasm"));
+  const at = wasm.indexOf(Buffer.from([0x80, 0x80, 0x04]));
+  assert.ok(at > 0 && at < 3000, `the limit of memory is not where it was expected: ${at}`);
+  wasm.set([0x80, 0x86, 0x00], at);
+  writeFileSync(join(small, "reliefshading.wasm"), wasm);
+  const script = `
+    import { shade } from "./small/index.js";
+    for (const n of [10, 2500, 10, 4000, 10]) {
+      console.log(await shade(new Float32Array(n * n), { width: n, height: n, sun: [0, 90] }).then((r) => r.data[0], String));
+    }`;
+  const full = "RangeError: there is not enough memory for the run";
+  assert.deepEqual(run("memory.js", script).trim().split("\n"), ["255", full, "255", full, "255"]);
 });
 
 test("the types document every parameter", () => {
