@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// @file
-/// Writes the table of parameters as JSON, from which the package's keywords and types are made
-/// when it is built.
+/// Writes the table of parameters and the usual sun as JSON, from which the package's keywords and
+/// types are made when it is built.
 ///
 ///     reliefWebParameters FILE
 
@@ -76,13 +76,16 @@ int main(int argc, char* argv[])
     return 2;
   }
   std::ofstream file(argv[1]);
+  file << "{ \"usual\": { \"azimuth\": " << Number(parameters::UsualAzimuth)
+       << ", \"altitude\": " << Number(parameters::UsualAltitude)
+       << ", \"turbidity\": " << Number(parameters::UsualTurbidity) << " },\n\"parameters\": ";
   const char* separator = "[\n  ";
   for (const parameters::Parameter& parameter : parameters::All())
   {
     file << separator << Entry(parameter);
     separator = ",\n  ";
   }
-  file << "\n]\n";
+  file << "\n] }\n";
   file.close();
   if (!file)
   {

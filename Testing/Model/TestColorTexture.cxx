@@ -236,6 +236,21 @@ TEST(ColorTexture, UnusableTexelsAreZero)
   EXPECT_EQ(Texture(std::vector<std::uint8_t>(4, 0), 4, 1, 1).CountUnusable(0, 1), 0u);
 }
 
+TEST(ColorTexture, StretchedCoversTheSamplesFromEdgeToEdge)
+{
+  const std::vector<float> texels(20, 1.0f);
+  ColorTexture texture = Texture(texels, 5, 4, 1);
+  auto at = [&](double i, double j)
+  { return texture.origin + i * texture.alongI + j * texture.alongJ; };
+  texture.Stretch({ 10, 2 }, { 0, 0 }, { 5, 4 }, { 0, 0 });
+  EXPECT_EQ(at(-0.5, -0.5), glm::dvec2(-0.5, -0.5));
+  EXPECT_EQ(at(9.5, 1.5), glm::dvec2(4.5, 3.5));
+  // Parts of both.
+  texture.Stretch({ 10, 2 }, { 4, 1 }, { 50, 40 }, { 3, 7 });
+  EXPECT_EQ(at(-4.5, -1.5), glm::dvec2(-3.5, -7.5));
+  EXPECT_EQ(at(5.5, 0.5), glm::dvec2(46.5, 32.5));
+}
+
 TEST(ColorTexture, Overlap)
 {
   const std::vector<float> texels(20, 1.0f);

@@ -124,7 +124,7 @@ test("other mistakes are TypeErrors, with a suggestion where there is one", asyn
     [{ depth: 1, subsurfaceDepth: 2 }, /^depth: subsurfaceDepth was given, too/],
     [{ floor: 1, useFloor: false }, /^floor: floorHeight or useFloor was given, too/],
     [{ layers: "illumination" }, /^layers: "illumination" was given, an array is expected$/],
-    [{ layers: ["ilumination"] }, /^layers\[0\]: "ilumination" was given, "illumination", "thickness"/],
+    [{ layers: ["brightness"] }, /^layers\[0\]: "brightness" was given, "illumination", "thickness"/],
     [{ output: "png" }, /^output: "png" was given, "rgba8" or "float" is expected$/],
     [{ width: "4" }, /^width: "4" was given, a whole number is expected$/],
     [{ mask: 5 }, /^mask: 5 was given, an array, 0 where there are no data, is expected$/],

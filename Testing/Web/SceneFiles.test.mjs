@@ -140,6 +140,6 @@ test("what a file cannot hold is refused", async () => {
 
 test("keys that nobody knows are left out, and named", (t) => {
   const warn = t.mock.method(console, "warn", () => {});
-  assert.deepEqual(sceneFromJSON('{ "reliefScene": 1, "hight": 2, "lights": [] }'), { lights: [] });
-  assert.match(warn.mock.calls[0].arguments[0], /left out: hight\./);
+  assert.deepEqual(sceneFromJSON('{ "reliefScene": 1, "steepness": 2, "lights": [] }'), { lights: [] });
+  assert.match(warn.mock.calls[0].arguments[0], /left out: steepness\./);
 });

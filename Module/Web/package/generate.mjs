@@ -124,6 +124,7 @@ function makePackage(table, folder, version, readme, license) {
   write(
     "parameters.js",
     `// Made from the table of parameters.\nexport const version = ${JSON.stringify(version)};\n` +
+      `/** Of a sun of which nothing is said, and of a clear sky. */\nexport const usual = ${JSON.stringify(usual)};\n` +
       `export const parameters = ${rows};\n`,
   );
   write("index.d.ts", makeTypes(table));
@@ -156,7 +157,7 @@ function makePackage(table, folder, version, readme, license) {
 }
 
 const [what, tableFile, to, ...rest] = process.argv.slice(2);
-const table = JSON.parse(readFileSync(tableFile, "utf8"));
+const { parameters: table, usual } = JSON.parse(readFileSync(tableFile, "utf8"));
 if (what === "header") {
   mkdirSync(dirname(to), { recursive: true });
   writeFileSync(to, makeHeader(table));

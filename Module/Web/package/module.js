@@ -234,7 +234,8 @@ export async function presetLights(name, azimuth, altitude) {
   }
   return {
     lights,
-    environment: sky === 0 ? null : { image: presetSkies[sky], intensity, numberOfSamples, sampling },
+    environment:
+      sky === 0 ? null : { image: presetSkies[sky], azimuth, altitude, intensity, numberOfSamples, sampling },
     response: response < 0 ? undefined : response,
   };
 }

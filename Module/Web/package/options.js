@@ -2,7 +2,7 @@
 //
 // Options as users write them, checked and made a description of a run.
 
-import { parameters } from "./parameters.js";
+import { parameters, usual } from "./parameters.js";
 import { layerNames, presetNames } from "./module.js";
 import {
   defaultOf,
@@ -25,9 +25,6 @@ export const sceneRows = ofOwner("scene");
 export const materialRows = ofOwner("material");
 export const environmentRows = ofOwner("environment");
 export const lightRows = ofOwner("light");
-
-const usualSun = [315, 45];
-const usualTurbidity = 3;
 
 //--------------------------------------------------------------------------------------------------
 // Lights.
@@ -54,7 +51,7 @@ function readSun(name, value) {
   }
   needObject(name, value, "[azimuth, altitude] or an object is");
   refuseUnknown(`${name}.`, value, ["kind", "azimuth", "altitude", "toward", ...lightKeys]);
-  const { azimuth = usualSun[0], altitude = usualSun[1], toward } = value;
+  const { azimuth = usual.azimuth, altitude = usual.altitude, toward } = value;
   checkAngles(name, azimuth, altitude, -90);
   const light = { kind: "sun", azimuth, altitude, ...readParameters(lightRows, `${name}.`, value) };
   return toward === undefined ? light : { ...light, toward: needVector(`${name}.toward`, toward, 3) };
@@ -106,7 +103,7 @@ async function readPreset(options, presetLights) {
     typeof value === "string" ? { name: value } : needObject("preset", value, "a name or an object is");
   refuseUnknown("preset.", object, ["name", "azimuth", "altitude"]);
   const name = presetNames[needWord("preset", object.name, presetNames)];
-  const { azimuth = usualSun[0], altitude = usualSun[1] } = object;
+  const { azimuth = usual.azimuth, altitude = usual.altitude } = object;
   checkAngles("preset", azimuth, altitude, name === "sun-and-sky" ? 0 : -90);
   const placed = ["sun-and-sky", "combined", "igor"].includes(name);
   if (placed && (options.sun !== undefined || options.suns !== undefined)) {
@@ -195,7 +192,7 @@ function readEnvironment(value, ofPreset) {
   if (word !== "clearSky") {
     return { image: word, ...values };
   }
-  const haze = needNumber("environment.turbidity", turbidity ?? usualTurbidity);
+  const haze = needNumber("environment.turbidity", turbidity ?? usual.turbidity);
   needNumber("environment.azimuth", azimuth);
   needNumber("environment.altitude", altitude);
   if (!Number.isFinite(azimuth) || !(altitude >= 0 && altitude <= 90) || !(haze >= 2 && haze <= 10)) {
@@ -208,11 +205,11 @@ function readEnvironment(value, ofPreset) {
 }
 
 // What a preset brings of an environment: its parameters as options, too.
-function presetEnvironment({ image, intensity, numberOfSamples, sampling, azimuth, altitude }) {
+function presetEnvironment({ image, azimuth, altitude, intensity, numberOfSamples, sampling }) {
   const choices = environmentRows.find((row) => row.key === "sampling").choices;
   const words = { intensity, numberOfSamples, sampling: choices[sampling].name };
   const values = readParameters(environmentRows, "environment.", words);
-  const place = image === "clearSky" ? { azimuth, altitude, turbidity: usualTurbidity } : {};
+  const place = image === "clearSky" ? { azimuth, altitude, turbidity: usual.turbidity } : {};
   return { image, ...place, ...values, words };
 }
 
@@ -275,17 +272,7 @@ export async function readScene(given, presetLights) {
     scene.response = preset.response;
   }
   const lights = [...(preset?.lights ?? []), ...readLights(options)];
-  const sky = preset?.environment;
-  const brought = sky
-    ? presetEnvironment({
-        ...sky,
-        ...(preset.lights[0] && {
-          azimuth: preset.lights[0].azimuth,
-          altitude: preset.lights[0].altitude,
-        }),
-        intensity: sky.intensity,
-      })
-    : null;
+  const brought = preset?.environment ? presetEnvironment(preset.environment) : null;
   const environment =
     options.environment === undefined || options.environment === null
       ? brought
