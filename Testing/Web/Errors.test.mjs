@@ -63,6 +63,10 @@ test("values out of range are RangeErrors", async () => {
     [{ spacing: [1, -2] }, /^spacing: \[1,-2\] was given/],
     [{ width: 0 }, /^width: 0 was given, a whole number in \[1, 1073741824\] is expected$/],
     [{ height: 2.5 }, /^height: 2.5 was given/],
+    [
+      { width: 20000, height: 20000 },
+      /^width 20000 x height 20000 is too large, at most 134217728 are expected/,
+    ],
     [{ width: 5 }, /^heights: 12 values were given, width 5 x height 3 = 15 are expected$/],
     [{ mask: [1] }, /^mask: 1 values were given, 12 are expected, as many as heights$/],
     [

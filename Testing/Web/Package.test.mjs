@@ -44,9 +44,9 @@ test("it is installed from a tarball and imported by name", () => {
   const script = `
     import { shade, version } from "reliefshading";
     import { readFileSync } from "node:fs";
-    import { fileURLToPath } from "node:url";
+    import { createRequire } from "node:module";
     const { data } = await shade(new Float32Array(4), { width: 2, height: 2, sun: [0, 90] });
-    const table = JSON.parse(readFileSync(fileURLToPath(import.meta.resolve("reliefshading/parameters.json")), "utf8"));
+    const table = JSON.parse(readFileSync(createRequire(import.meta.url).resolve("reliefshading/parameters.json"), "utf8"));
     console.log(data.join(" "), version, table.length);`;
   const white = new Array(16).fill(255).join(" ");
   assert.equal(run("user.js", script).trim(), `${white} ${version} ${parameters.length}`);

@@ -94,7 +94,7 @@ async function using(body) {
   const wasm = await load();
   const taken = [];
   const put = (array) => {
-    const address = wasm.reliefAllocate(array.byteLength) >>> 0;
+    const address = array.byteLength < 2 ** 32 ? wasm.reliefAllocate(array.byteLength) >>> 0 : 0;
     if (address === 0) {
       throw new RangeError("there is not enough memory for the run");
     }

@@ -143,6 +143,9 @@ function readPicture(name, value) {
   return { data, width, height };
 }
 
+// WebAssembly has room for so many, with a picture of floats.
+const mostSamples = 2 ** 27;
+
 function checkSize(name, width, height) {
   for (const [key, size] of Object.entries({ width, height })) {
     const path = name === "" ? key : `${name}.${key}`;
@@ -150,6 +153,12 @@ function checkSize(name, width, height) {
     if (!Number.isInteger(size) || size < 1 || size > 2 ** 30) {
       throw rangeError(path, size, "a whole number in [1, 1073741824] is");
     }
+  }
+  if (width * height > mostSamples) {
+    const path = name === "" ? "" : `${name}: `;
+    throw new RangeError(
+      `${path}width ${width} x height ${height} is too large, at most ${mostSamples} are expected; use parts`,
+    );
   }
 }
 
