@@ -91,7 +91,10 @@ export async function load() {
 // Calls body(wasm, put), where put copies an array into the module's memory and returns its
 // address. What ends the module in the middle becomes an error, and the next run gets a new one.
 async function using(body) {
-  const wasm = await load();
+  let wasm = await load();
+  while (wasm !== instance) {
+    wasm = await load(); // another run has ended it meanwhile
+  }
   const taken = [];
   const put = (array) => {
     const address = array.byteLength < 2 ** 32 ? wasm.reliefAllocate(array.byteLength) >>> 0 : 0;
