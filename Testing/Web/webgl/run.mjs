@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tests of the WebGL host in a headless browser.
+//
+//     node run.mjs TEST --modules FOLDER --data FOLDER --browser FOLDER --chromium FILE
+
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+
+import { launch, openPage, serve } from './browser.mjs';
+
+const tests = {
+  // 99.9 % of the samples of each scene are what the filter makes of them.
+  async Agreement(page)
+  {
+    const results = await page.evaluate(async () => (await import('/tests/in_page.js')).agree());
+    for (const result of results)
+    {
+      console.log(`${result.name}: ${result.wrong} of ${result.samples} differ, at most by ` +
+        `${result.worst.toPrecision(2)}; ${result.milliseconds.toFixed(0)} ms`);
+    }
+    for (const result of results)
+    {
+      assert.ok(result.wrong <= 1e-3 * result.samples, `${result.name} does not agree`);
+      assert.equal(result.alpha, 0, `${result.name} has other holes`);
+      assert.ok(result.converged && result.detail === 1, `${result.name} has not converged`);
+      assert.ok(!result.picture || result.picture.worst === 0, `${result.name} is shown otherwise`);
+    }
+    assert.ok(results.length >= 20);
+  },
+};
+
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    modules: { type: 'string' }, data: { type: 'string' }, browser: { type: 'string' },
+    chromium: { type: 'string' },
+  },
+});
+const browser = await launch(values.browser, values.chromium);
+const folder = path.dirname(fileURLToPath(import.meta.url));
+const server = await serve({ modules: values.modules, data: values.data, tests: folder });
+let failed = false;
+try
+{
+  const { page, complaints } = await openPage(browser, server.url);
+  await tests[positionals[0]](page);
+  assert.deepEqual(complaints, [], 'the page complains');
+}
+catch (error)
+{
+  console.error(error);
+  failed = true;
+}
+await browser.close();
+server.close();
+process.exit(failed ? 1 : 0);
