@@ -529,20 +529,27 @@ RELIEF_FIELD_FN real reliefContact(RELIEF_FIELD field, ReliefMedium medium, Reli
 //-------------------------------------------------------------------------------------------------
 // The two integrators
 
-// d at the start of a ray that has been traced.
-RELIEF_FIELD_FN real reliefTraced(
-  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l, ReliefTrace trace)
+// d at the start of a ray that has been traced, but for the limit at depth 0.
+RELIEF_FN real reliefMeasured(ReliefMedium medium, ReliefTrace trace)
 {
   real d = reliefIllumination(medium, trace.thickness);
   if (trace.rest > 0.0f)
   {
     return (d + reliefIllumination(medium, trace.thickness + trace.rest)) / 2.0f;
   }
-  if (medium.depth == 0.0f && medium.attenuation == RELIEF_RECIPROCAL && trace.thickness == 0.0f)
+  return d;
+}
+
+// d at the start of a ray that has been traced.
+RELIEF_FIELD_FN real reliefTraced(
+  RELIEF_FIELD field, ReliefMedium medium, ReliefRay ray, real3 n, real3 l, ReliefTrace trace)
+{
+  if (!(trace.rest > 0.0f) && medium.depth == 0.0f && medium.attenuation == RELIEF_RECIPROCAL &&
+    trace.thickness == 0.0f)
   {
     return reliefContact(field, medium, ray, n, l);
   }
-  return d;
+  return reliefMeasured(medium, trace);
 }
 
 // d at the start of a ray, exactly or within the tolerance.

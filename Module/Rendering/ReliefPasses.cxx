@@ -171,6 +171,7 @@ relief::LightFeatures ReliefPasses::Features(const relief::LightPlan& light) con
   features.tangentPlane = medium.offset == relief::f64::RELIEF_TANGENT_PLANE;
   features.exponential = medium.attenuation == relief::f64::RELIEF_EXPONENTIAL;
   features.floor = medium.useFloor;
+  features.deep = features.exponential || relief::ToSingle(medium).depth > 0.0f;
   features.fixedStep = this->Parameters->integrator == relief::Integrator::FixedStep;
   features.combined = this->Parameters->response == relief::f64::RELIEF_COMBINED;
   features.igor = this->Parameters->response == relief::f64::RELIEF_IGOR;
@@ -357,7 +358,7 @@ bool ReliefPasses::Trace(
   vtkOpenGLQuadHelper* quad = this->UseProgram(
     Key("trace",
       { features.positional, features.surfaceNormal, features.tangentPlane, features.exponential,
-        features.floor, features.fixedStep, features.combined, features.igor }),
+        features.floor, features.deep, features.fixedStep, features.combined, features.igor }),
     layer.grid,
     [&](const relief::FieldLayout& layout) { return relief::TraceProgram(layout, features); });
   if (!quad)

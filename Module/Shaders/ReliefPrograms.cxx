@@ -48,6 +48,7 @@ void AddLight(Features& features, const LightFeatures& light)
   Add(features, "TangentPlane", light.tangentPlane);
   Add(features, "Exponential", light.exponential);
   Add(features, "Floor", light.floor);
+  Add(features, "Deep", light.deep);
   Add(features, "FixedStep", light.fixedStep);
   Add(features, "Combined", light.combined);
   Add(features, "Igor", light.igor);

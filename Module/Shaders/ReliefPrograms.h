@@ -34,6 +34,7 @@ struct LightFeatures
   bool tangentPlane = false;
   bool exponential = false;
   bool floor = false;
+  bool deep = false; ///< there is no limit at depth 0 to be found, which is half of the program
   bool fixedStep = false;
   bool combined = false; ///< the surface's answer stands for its illumination
   bool igor = false;

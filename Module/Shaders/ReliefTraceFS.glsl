@@ -26,8 +26,12 @@ void main()
     //RELIEF::If FixedStep
     d = 1.0 / (1.0 + float(reliefStepCount(0, ray, lightSteps)));
     //RELIEF::Else
+    //RELIEF::If Deep
+    d = reliefMeasured(medium, reliefTrace(0, medium, ray));
+    //RELIEF::Else
     ReliefTrace trace;
     d = reliefExact(0, medium, ray, n, l, trace);
+    //RELIEF::End
     //RELIEF::End
     //RELIEF::If Combined
     d = reliefResponse(RELIEF_COMBINED, d, n, l);

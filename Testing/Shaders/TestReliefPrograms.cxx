@@ -66,6 +66,11 @@ TEST(ReliefPrograms, TraceHoldsOneKindOfLight)
   EXPECT_FALSE(Has(text + other, "medium.offset = RELIEF_TANGENT_PLANE;"));
   EXPECT_FALSE(Has(MainOf(below), "reliefNormal("));
 
+  relief::LightFeatures deep;
+  deep.deep = true;
+  EXPECT_TRUE(Has(MainOf(relief::TraceProgram(Plain, deep)), "reliefMeasured("));
+  EXPECT_FALSE(Has(MainOf(relief::TraceProgram(Plain, deep)), "reliefExact("));
+
   relief::LightFeatures step;
   step.fixedStep = true;
   EXPECT_TRUE(Has(MainOf(relief::TraceProgram(Plain, step)), "reliefStepCount("));

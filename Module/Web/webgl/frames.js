@@ -12,7 +12,7 @@ import { Grid, makeGrid } from './grid.js';
 import { MOST_GATHERED } from './programs.js';
 import { planEffects } from './scene.js';
 
-const BAND_SECONDS = 0.025; // longer draws make the browser believe that its page hangs
+const BAND_SECONDS = 0.02; // longer draws make the browser believe that its page hangs
 const FIRST_TEXELS = 2048;  // of the first band, which tells how long others take
 const COARSEST = 16;
 const MOST_FIRST_LIGHTS = 8;
@@ -162,7 +162,7 @@ export class Frames
 
   // Traces rows of a layer from `row` on until all are done or the time is up, at least one band. Returns the
   // row that comes next.
-  traceRows(light, layer, row, seconds)
+  traceRows(light, layer, row, seconds, quick = false)
   {
     const [columns, rows] = layer.grid.size;
     let next = row;
@@ -173,7 +173,7 @@ export class Frames
       const band = Math.max(Math.floor(texels / columns), 1);
       const end = Math.min(next + band, rows);
       const before = now();
-      this.passes.trace(this.scene, light, layer, next, end);
+      this.passes.trace(this.scene, light, layer, next, end, quick);
       this.passes.finish();
       const took = now() - before;
       if (!this.passes.compiled)
@@ -214,7 +214,7 @@ export class Frames
   // Whether a kept layer is as fine as what is wanted.
   serves(layer)
   {
-    return layer !== null && (layer.grid.holds(this.full) ||
+    return layer !== null && (layer.grid.serves(this.full, this.field) ||
       (this.request.coarseness > 1 && layer.grid.reaches(this.full) && layer.grid.detail >= this.full.detail));
   }
 
@@ -286,7 +286,7 @@ export class Frames
       this.traced.add(light);
       this.drop(entry.complete);
       entry.complete = this.layer(coarse, 1);
-      this.traceRows(light, entry.complete, 0, Infinity);
+      this.traceRows(light, entry.complete, 0, Infinity, true);
       entry.stamp = ++this.stamp;
     }
   }
@@ -436,7 +436,7 @@ export class Frames
     const factor = this.laterFactor();
     // While things move, what there is serves, however coarse it is.
     const fits = factor && (this.request.moving ? this.later.sums.grid.reaches(this.full)
-      : this.later.sums.grid.holds(this.shown));
+      : this.later.sums.grid.serves(this.shown, this.field));
     if (fits)
     {
       this.laterScale = factor;
@@ -530,7 +530,7 @@ export class Frames
     {
       done += !entry || this.serves(entry.complete) ? 1 : entry.rows / this.full.size[1];
     }
-    if (this.later && this.later.sums.grid.holds(this.full))
+    if (this.later && this.later.sums.grid.serves(this.full, this.field))
     {
       done += this.later.added;
     }

@@ -45,6 +45,16 @@ export class Grid
     return this.sameStride(other) && this.reaches(other);
   }
 
+  // Whether what the other grid needs of a field can be read from this one: it holds it, or has all samples
+  // there.
+  serves(other, field)
+  {
+    const samples = [field.columns, field.rows];
+    return this.holds(other) || (this.stride[0] === 1 && this.stride[1] === 1 && [0, 1].every((axis) =>
+      this.first[axis] <= other.sampleOf(axis, 0, samples[axis]) &&
+      this.first[axis] + this.size[axis] > other.sampleOf(axis, other.size[axis] - 1, samples[axis])));
+  }
+
   // Whether this grid reaches as far as the other, however coarse it is.
   reaches(other)
   {

@@ -33,7 +33,8 @@ export class Passes
     this.programs = new Map();
     this.pool = [];
     this.compiled = false; // whether the last pass was the first of its program
-    this.nanByBits = false;
+    // How programs tell what is no number; by the bits of it where they must.
+    this.tests = options.nanByBits ? [true] : [false, true];
     this.checkNumbers();
   }
 
@@ -192,9 +193,7 @@ export class Passes
   setLight(scene, light)
   {
     const { medium } = scene;
-    const depth = Math.fround(medium.depth);
-    // What is made of so small a depth would have few digits; d is its limit, to all that float has.
-    this.set('1f', 'mediumDepth', depth < FLT_MIN / FLT_EPSILON ? 0 : depth);
+    this.set('1f', 'mediumDepth', singleDepth(medium));
     this.set('1f', 'mediumDensity', medium.density);
     this.set('1f', 'mediumFloor', medium.floorHeight);
     this.set('1f', 'mediumTolerance', Math.fround(medium.tolerance) * Math.fround(light.toleranceScale));
@@ -288,7 +287,7 @@ export class Passes
     const given = this.texture(4, 1, 1);
     this.load(given, Float32Array.of(NaN, Infinity, 1, 0));
     const result = this.texture(1, 1, 4);
-    for (this.nanByBits of [false, true])
+    for (this.nanByBits of this.tests)
     {
       this.use(`probe${this.nanByBits}`, probeText);
       this.setTexture('given', given);
@@ -318,17 +317,18 @@ export class Passes
       tangentPlane: scene.medium.offset === TANGENT_PLANE,
       exponential: scene.medium.exponential,
       floor: scene.medium.useFloor,
+      deep: scene.medium.exponential || singleDepth(scene.medium) > 0,
       fixedStep: scene.fixedStep,
       combined: scene.response === COMBINED,
       igor: scene.response === IGOR,
     };
   }
 
-  // Traces a light for the rows [begin, end) of a layer of one float.
-  trace(scene, light, layer, begin, end)
+  // Traces a light for the rows [begin, end) of a layer of one float, or quickly: level beyond the data.
+  trace(scene, light, layer, begin, end, quick)
   {
     const features = this.features(scene, light);
-    this.use(key('trace', features), () => traceText(features));
+    this.use(key(quick ? 'quick trace ' : 'trace ', features), () => traceText(features, quick));
     this.setSurface(layer.grid);
     this.setLight(scene, light);
     this.set('1i', 'lightSteps', scene.steps);
@@ -503,6 +503,13 @@ export class Passes
     this.programs.clear();
     this.pool = [];
   }
+}
+
+// What is made of so small a depth would have few digits; d is its limit, to all that float has.
+function singleDepth(medium)
+{
+  const depth = Math.fround(medium.depth);
+  return depth < FLT_MIN / FLT_EPSILON ? 0 : depth;
 }
 
 function key(kind, features)

@@ -67,21 +67,27 @@ function lightFeatures(light)
     TangentPlane: light.tangentPlane,
     Exponential: light.exponential,
     Floor: light.floor,
+    Deep: light.deep,
     FixedStep: light.fixedStep,
     Combined: light.combined,
     Igor: light.igor,
   };
 }
 
-export function traceText(light)
+// In place of the function of that name, for the texts that follow it.
+const LEVEL_BEYOND = '#define reliefNeverReturns(field, ray, s, axis) false\n';
+
+// A quick one takes the ground beyond the data for level, as long as something coarse is to be shown: it is
+// compiled in half the time.
+export function traceText(light, quick = false)
 {
   const features = featuresOf({
     ...lightFeatures(light),
     Normals: light.surfaceNormal || light.combined || light.igor,
   });
   return texts.ReliefPreludeGLSL + selectLines(texts.ReliefField, features) + texts.ReliefLeaves +
-    texts.ReliefModel + texts.ReliefSurface + texts.ReliefSurroundings + texts.ReliefThickness +
-    texts.ReliefGrid + selectLines(texts.ReliefLight, features) +
+    texts.ReliefModel + texts.ReliefSurface + texts.ReliefSurroundings + (quick ? LEVEL_BEYOND : '') +
+    texts.ReliefThickness + texts.ReliefGrid + selectLines(texts.ReliefLight, features) +
     selectLines(texts.ReliefTraceFS, features);
 }
 

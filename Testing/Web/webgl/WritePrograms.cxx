@@ -81,7 +81,7 @@ std::string Describe(const relief::LightFeatures& light)
   return Flags("light",
     { { "positional", light.positional }, { "surfaceNormal", light.surfaceNormal },
       { "tangentPlane", light.tangentPlane }, { "exponential", light.exponential },
-      { "floor", light.floor }, { "fixedStep", light.fixedStep }, { "combined", light.combined },
+      { "floor", light.floor }, { "deep", light.deep }, { "fixedStep", light.fixedStep }, { "combined", light.combined },
       { "igor", light.igor } });
 }
 
@@ -102,7 +102,7 @@ relief::SumFeatures Sums(int bits)
 
 void WriteTraces(Writer& writer, const relief::FieldLayout& layout)
 {
-  for (int bits = 0; bits < 16; ++bits)
+  for (int bits = 0; bits < 32; ++bits)
   {
     for (int offset = 0; offset < 3; ++offset)
     {
@@ -113,6 +113,7 @@ void WriteTraces(Writer& writer, const relief::FieldLayout& layout)
         light.exponential = (bits & 2) != 0;
         light.floor = (bits & 4) != 0;
         light.fixedStep = (bits & 8) != 0;
+        light.deep = (bits & 16) != 0;
         light.surfaceNormal = offset == 1;
         light.tangentPlane = offset == 2;
         light.combined = response == 1;

@@ -1,10 +1,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests do in the page. Each returns what the runner then judges.
+// What the tests do in the page. A test returns what is wrong, as texts, or what the runner then judges.
 
+import { Passes } from '/modules/passes.js';
+import { probeText } from '/modules/programs.js';
 import { ReliefError, ReliefRenderer } from '/modules/relief-gl.js';
 
 const TYPES = { float32: Float32Array, uint8: Uint8Array };
+const SUN = { kind: 'sun', azimuth: 315, altitude: 35 };
+
+// Notes what is not as it should be.
+class Checks
+{
+  constructor()
+  {
+    this.wrong = [];
+  }
+
+  that(holds, text)
+  {
+    if (!holds)
+    {
+      this.wrong.push(text);
+    }
+  }
+
+  equal(got, expected, text)
+  {
+    this.that(Object.is(got, expected), `${text}: ${got}, ${expected} is expected`);
+  }
+
+  // Whether a ReliefError comes that says this.
+  throws(body, says, text)
+  {
+    try
+    {
+      body();
+    }
+    catch (error)
+    {
+      this.that(error instanceof ReliefError && says.test(error.message) && error.message.length <= 240,
+        `${text}: ${error.name}: ${error.message}`);
+      return;
+    }
+    this.that(false, `${text}: nothing is thrown`);
+  }
+}
+
+function hills(width, height = width, scale = 10)
+{
+  const values = new Float32Array(width * height);
+  for (let j = 0; j < height; ++j)
+  {
+    for (let i = 0; i < width; ++i)
+    {
+      values[j * width + i] = scale * (Math.sin(i / 7 + Math.cos(j / 9)) + 0.5 * Math.sin(i / 3.1 - j / 4.3));
+    }
+  }
+  return values;
+}
+
+function newRenderer(width, height = width, options = {})
+{
+  return new ReliefRenderer(new OffscreenCanvas(width, height), options);
+}
+
+// The colours of a scene by a renderer that has seen nothing else.
+function afresh(heights, layout, scene, request, options)
+{
+  const renderer = newRenderer(layout.width, layout.height, options);
+  renderer.setHeights(heights, layout);
+  renderer.setScene(scene);
+  renderer.render(request);
+  const { data } = renderer.readColors();
+  renderer.dispose();
+  // A page has sixteen contexts, and whoever makes more loses the first.
+  renderer.gl.getExtension('WEBGL_lose_context').loseContext();
+  return data;
+}
+
+function farthest(a, b)
+{
+  return a.length === b.length
+    ? a.reduce((most, v, k) => (Math.abs(v - b[k]) <= most ? most : Math.abs(v - b[k])), 0) : Infinity;
+}
+
+//--------------------------------------------------------------------------------------------------
 
 async function load(file)
 {
@@ -12,7 +93,7 @@ async function load(file)
   return new TYPES[file.type](data);
 }
 
-export async function loadCase(one)
+async function loadCase(one)
 {
   const textures = {};
   for (const [name, file] of Object.entries(one.textures))
@@ -20,13 +101,12 @@ export async function loadCase(one)
     textures[name] = { width: file.width, height: file.height, data: await load(file) };
   }
   return {
-    ...one, values: await load(one.heights), expected: await load(one.colors),
-    scene: { ...one.scene, textures },
+    ...one, values: await load(one.heights), expected: await load(one.colors), scene: { ...one.scene, textures },
   };
 }
 
-// Every second case has its rows from south to north.
-function flipped(values, width, height)
+// With rows from south to north.
+function flipped(values, height)
 {
   const result = new values.constructor(values.length);
   const row = values.length / height;
@@ -37,16 +117,9 @@ function flipped(values, width, height)
   return result;
 }
 
-export function newRenderer(width, height, options)
-{
-  return new ReliefRenderer(new OffscreenCanvas(width, height), options);
-}
-
 function compare(got, expected)
 {
-  let wrong = 0;
-  let worst = 0;
-  let alpha = 0;
+  const found = { samples: expected.length / 4, wrong: 0, worst: 0, alpha: 0 };
   for (let k = 0; k < expected.length; k += 4)
   {
     let difference = 0;
@@ -55,19 +128,20 @@ function compare(got, expected)
       const d = Math.abs(got[k + c] - expected[k + c]);
       difference = Number.isNaN(d) ? Infinity : Math.max(difference, d);
     }
-    alpha += got[k + 3] !== expected[k + 3] ? 1 : 0;
-    wrong += difference > 2e-3 ? 1 : 0;
-    worst = Math.max(worst, difference);
+    found.alpha += got[k + 3] !== expected[k + 3] ? 1 : 0;
+    found.wrong += difference > 2e-3 ? 1 : 0;
+    found.worst = Math.max(found.worst, difference);
   }
-  return { samples: expected.length / 4, wrong, worst, alpha };
+  return found;
 }
 
-// All scenes by one renderer, one after the other, so that what is kept of one must not spoil the next.
-export async function agree(options)
+// All scenes by one renderer, one after the other, so that what is kept of one must not spoil the next; every
+// second one with its rows from the south.
+export async function agreement()
 {
   const cases = await (await fetch('/data/scenes.json')).json();
   const canvas = new OffscreenCanvas(1, 1);
-  const renderer = new ReliefRenderer(canvas, options);
+  const renderer = new ReliefRenderer(canvas);
   const results = [];
   for (const [number, given] of cases.entries())
   {
@@ -78,14 +152,12 @@ export async function agree(options)
     canvas.width = Math.ceil(width * Math.max(sx / sy, 1));
     canvas.height = Math.ceil(height * Math.max(sy / sx, 1));
     const south = number % 2 === 1;
-    const turn = (values) => (south ? flipped(values, width, height) : values);
     const scene = { ...one.scene, textures: { ...one.scene.textures } };
     for (const [name, texture] of Object.entries(scene.textures))
     {
-      scene.textures[name] = south
-        ? { ...texture, data: flipped(texture.data, texture.width, texture.height) } : texture;
+      scene.textures[name] = south ? { ...texture, data: flipped(texture.data, texture.height) } : texture;
     }
-    renderer.setHeights(turn(one.values),
+    renderer.setHeights(south ? flipped(one.values, height) : one.values,
       { width, height, spacing: one.spacing, rows: south ? 'south-first' : 'north-first' });
     renderer.setScene(scene);
     const state = renderer.render();
@@ -102,11 +174,310 @@ export async function agree(options)
   return results;
 }
 
-// What the constants and numbers without a value are to a program, each alone.
-export function probe(options)
+//--------------------------------------------------------------------------------------------------
+
+// Infinity and what is no number, as programs see them.
+export function numbers()
 {
-  const renderer = newRenderer(4, 4, options);
-  const byBits = renderer.passes.nanByBits;
+  const checks = new Checks();
+  const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
+  for (const nanByBits of [false, true])
+  {
+    const passes = new Passes(gl, { nanByBits });
+    const given = passes.texture(4, 1, 1);
+    const result = passes.texture(1, 1, 4);
+    passes.load(given, Float32Array.of(NaN, Infinity, 1, 0));
+    passes.use('again', probeText);
+    passes.setTexture('given', given);
+    passes.draw([result], 0, 1);
+    const [all, constants, textures, computed] = passes.read(result);
+    checks.equal(constants, 1, `constants, by bits: ${nanByBits}`);
+    checks.equal(textures, 1, `textures, by bits: ${nanByBits}`);
+    checks.equal(computed, 1, `computed, by bits: ${nanByBits}`);
+    checks.equal(all, 1, `all, by bits: ${nanByBits}`);
+    passes.dispose();
+  }
+
+  // Holes of all kinds: nothing is shown there, and no number goes astray elsewhere.
+  const layout = { width: 40, height: 30 };
+  const heights = hills(40, 30);
+  for (const [k, value] of [[0, NaN], [45, Infinity], [90, -Infinity], [333, NaN], [334, NaN], [1199, NaN]])
+  {
+    heights[k] = value;
+  }
+  for (let k = 600; k < 610; ++k)
+  {
+    heights[k] = NaN;
+  }
+  const scene = { lights: [SUN, { kind: 'point', position: [10, 10, 30] }],
+    material: { subsurfaceDepth: 3, specularCoefficient: 0.3, forwardScatterCoefficient: 0.2 } };
+  const plain = afresh(heights, layout, scene);
+  const byBits = afresh(heights, layout, scene, {}, { nanByBits: true });
+  checks.equal(farthest(plain, byBits), 0, 'the same by bits');
+  heights.forEach((h, k) =>
+  {
+    checks.equal(plain[4 * k + 3], Number.isFinite(h) ? 1 : 0, `alpha of sample ${k}`);
+    checks.that(plain.slice(4 * k, 4 * k + 4).every(Number.isFinite), `sample ${k} is no number`);
+  });
+  const fields = [
+    ['all holes', new Float32Array(12).fill(NaN), 4, 3], ['one sample', Float32Array.of(5), 1, 1],
+    ['two', Float32Array.of(1, 2), 2, 1], ['a column', Float32Array.of(1, 2, 9, 4), 1, 4],
+    ['level', new Float32Array(64), 8, 8], ['huge', Float32Array.of(1e37, -1e37, 0, 1e37), 2, 2],
+    ['tiny', Float32Array.of(1e-40, 0, 0, -1e-42), 2, 2],
+  ];
+  for (const [name, values, width, height] of fields)
+  {
+    const colors = afresh(values, { width, height }, scene);
+    checks.that(colors.every(Number.isFinite), `${name}: ${colors.slice(0, 8)}`);
+  }
+  return checks.wrong;
+}
+
+//--------------------------------------------------------------------------------------------------
+
+// Waits for an event, and until its listeners are through.
+const happens = async (body) =>
+{
+  await new Promise((done) => { body(done); });
+  await new Promise((done) => { setTimeout(done, 50); });
+};
+
+// The context is lost and comes back with the same picture.
+export async function context()
+{
+  const checks = new Checks();
+  for (const canvas of [document.getElementById('canvas'), new OffscreenCanvas(1, 1)])
+  {
+    canvas.width = 64;
+    canvas.height = 48;
+    let restored = () => {};
+    let lost = () => {};
+    const renderer = new ReliefRenderer(canvas, { onLost: () => lost(), onRestored: () => restored() });
+    renderer.setHeights(hills(64, 48), { width: 64, height: 48 });
+    renderer.setScene({ lights: [SUN], material: { specularCoefficient: 0.2, diffuseColor: [0.9, 0.7, 0.4] },
+      textures: { base: { width: 2, height: 1, data: new Uint8Array([255, 0, 0, 255, 0, 0, 255, 128]) } } });
+    renderer.render({ zoom: 1.5, centerX: 0.4 });
+    const before = renderer.readPixels();
+    const extension = renderer.gl.getExtension('WEBGL_lose_context');
+    await happens((done) => { lost = done; extension.loseContext(); });
+    const state = renderer.render({ zoom: 1.5, centerX: 0.4 });
+    checks.that(state.lost && !state.converged, 'what is lost is said to be there');
+    checks.throws(() => renderer.readPixels(), /no picture/, 'reading what is lost');
+    await happens((done) => { restored = done; extension.restoreContext(); });
+    const after = renderer.readPixels();
+    checks.that(before.data.some((v) => v > 0), 'there is a picture');
+    checks.that(before.data.every((v, k) => v === after.data[k]), 'the picture is another one');
+    checks.equal(renderer.gl.getError(), 0, 'error of WebGL');
+    renderer.dispose();
+  }
+  return checks.wrong;
+}
+
+//--------------------------------------------------------------------------------------------------
+
+// What a change makes anew, and that it shows.
+export function keptWork()
+{
+  const checks = new Checks();
+  const layout = { width: 60, height: 50 };
+  const heights = hills(60, 50);
+  const renderer = newRenderer(60, 50);
+  renderer.setHeights(heights, layout);
+  let scene = {
+    lights: [SUN, { kind: 'sun', azimuth: 90, altitude: 50, intensity: 0.4 }],
+    environmentLights: Array.from({ length: 6 }, (_, k) =>
+      ({ direction: [Math.sin(k), Math.cos(k), 0.3 + 0.1 * k], color: [1, 0.9, 0.8], weight: 0.1 })),
+    material: {},
+  };
+  const step = (name, change, traced, request = {}) =>
+  {
+    scene = { ...scene, ...change };
+    renderer.setScene(scene);
+    const state = renderer.render(request);
+    checks.equal(state.lightsTraced, traced, `${name}: lights traced`);
+    checks.that(state.converged, `${name}: has not converged`);
+    const difference = farthest(renderer.readColors().data, afresh(heights, layout, scene, request));
+    checks.that(difference < 1e-5, `${name}: differs from a new picture by ${difference}`);
+  };
+  const material = (more) => ({ material: { ...scene.material, ...more } });
+  step('first', {}, 8);
+  step('again', {}, 0);
+  step('colours', material({ diffuseColor: [0.8, 0.5, 0.3], baseColor: [0, 0.1, 0] }), 0);
+  step('coefficients', material({ specularCoefficient: 0.3, forwardScatterCoefficient: 0.4 }), 0);
+  step('falloffs', material({ specularPower: 4, forwardScatterRange: [-0.5, 0.5] }), 0);
+  step('exposure', { exposure: 1 }, 0);
+  step('intensity', { lights: [{ ...SUN, intensity: 0.7, color: [1, 0.5, 0.2] }, scene.lights[1]] }, 0);
+  step('a sun', { lights: [{ ...SUN, azimuth: 300 }, scene.lights[1]] }, 1);
+  step('the environment, brighter', {
+    environmentLights: scene.environmentLights.map((light) => ({ ...light, intensity: 2 })),
+  }, 0);
+  step('one of its lights', {
+    environmentLights: scene.environmentLights.map((light, k) => (k === 2 ? { ...light, color: [0, 0, 1] } : light)),
+  }, 0);
+  step('a light fewer', { lights: [scene.lights[0]] }, 0);
+  step('a texture', { textures: { diffuse: { width: 1, height: 2, data: Float32Array.of(1, 0.5) } } }, 0);
+  step('another', { textures: { diffuse: { width: 1, height: 2, data: Float32Array.of(0.2, 0.5) } } }, 0);
+  step('depth', material({ subsurfaceDepth: 2 }), 7);
+  step('height scale', { heightScale: 0.5 }, 7);
+  step('response', { response: 'Combined' }, 7);
+  step('what exact does not look at', { numberOfSteps: 99 }, 0);
+  // Lights that show no more are forgotten.
+  step('no diffuse colour', { ...material({ diffuseColor: [0, 0, 0] }), textures: {} }, 0);
   renderer.dispose();
-  return { byBits };
+  return checks.wrong;
+}
+
+//--------------------------------------------------------------------------------------------------
+
+// One message for each thing that can be wrong, and what was there before stays.
+export function errors()
+{
+  const checks = new Checks();
+  checks.throws(() => new ReliefRenderer(null), /gives no WebGL 2/, 'no canvas');
+  const taken = new OffscreenCanvas(4, 4);
+  taken.getContext('2d');
+  checks.throws(() => new ReliefRenderer(taken), /gives no WebGL 2/, 'a canvas with another context');
+  const { prototype } = WebGL2RenderingContext;
+  const replaced = (name, replacement, body) =>
+  {
+    const original = prototype[name];
+    prototype[name] = replacement(original);
+    try
+    {
+      body();
+    }
+    finally
+    {
+      prototype[name] = original;
+    }
+  };
+  replaced('getExtension', () => () => null,
+    () => checks.throws(() => newRenderer(4), /EXT_color_buffer_float/, 'no floats'));
+  replaced('shaderSource', (original) => function broken(shader, text)
+  {
+    original.call(this, shader, text.replace('void main()', 'void main('));
+  }, () => checks.throws(() => newRenderer(4), /was refused/, 'a program'));
+
+  const renderer = newRenderer(16);
+  checks.throws(() => renderer.render(), /setHeights/, 'no heights');
+  checks.throws(() => renderer.readPixels(), /no picture/, 'no picture');
+  checks.throws(() => renderer.setHeights([1, 2], { width: 2, height: 1 }), /no array of numbers/, 'a plain array');
+  checks.throws(() => renderer.setHeights(new Float32Array(5), { width: 2, height: 2 }), /5 heights/, 'too many');
+  checks.throws(() => renderer.setHeights(new Float32Array(5), { width: 2.5, height: 2 }), /size/, 'half a sample');
+  checks.throws(() => renderer.setHeights(new Float32Array(4), { width: 2, height: 2, spacing: 0 }), /spacing/,
+    'no spacing');
+  checks.throws(() => renderer.setHeights(new Float32Array(4), { width: 2, height: 2, rows: 'up' }), /rows/, 'rows');
+  renderer.setHeights(Float32Array.of(3e38, -3e38, 0, 0), { width: 2, height: 2 });
+  checks.throws(() => renderer.render(), /reach from/, 'too much relief');
+  const long = renderer.gl.getParameter(renderer.gl.MAX_TEXTURE_SIZE) + 1;
+  renderer.setHeights(new Float32Array(long), { width: long, height: 1 });
+  checks.throws(() => renderer.render(), /MAX_TEXTURE_SIZE/, 'too large');
+
+  const scenes = [
+    [{ lightz: [] }, /lightz is not known/], [{ material: { gloss: 1 } }, /material\.gloss/],
+    [{ material: { specularCoefficient: 1.5 } }, /1\.5 was given, a number from 0 to 1/],
+    [{ material: { baseColor: [0, 1] } }, /three numbers/], [{ material: { baseColor: [0, -1, 0] } }, /at least 0/],
+    [{ material: { specularRange: [1, 0] } }, /the first not the larger/], [{ material: 3 }, /object/],
+    [{ tolerance: NaN }, /tolerance/], [{ response: 'Lambert' }, /one of Illumination/],
+    [{ numberOfSteps: 2.5 }, /whole number/], [{ lights: {} }, /array/],
+    [{ lights: [{ kind: 'moon' }] }, /lights\[0\]\.kind/], [{ lights: [{ kind: 'sun', azimuth: 3 }] }, /altitude/],
+    [{ lights: [{ kind: 'point', position: [1, 2] }] }, /three coordinates/],
+    [{ environment: { image: 'clearSky' } }, /environmentLights/],
+    [{ environmentLights: [{ direction: [0, 0, 0] }] }, /vector toward/],
+    [{ textures: { base: { width: 2, height: 2, data: new Uint8Array(3) } } }, /no picture/],
+    [{ textures: { gloss: null } }, /gloss/],
+  ];
+  renderer.setHeights(hills(16), { width: 16, height: 16 });
+  renderer.setScene({ lights: [SUN] });
+  renderer.render();
+  const before = renderer.readPixels();
+  for (const [scene, says] of scenes)
+  {
+    checks.throws(() => renderer.setScene(scene), says, JSON.stringify(scene));
+  }
+  checks.throws(() => renderer.render({ zoom: 0 }), /zoom/, 'no zoom');
+  checks.throws(() => renderer.render({ seconds: -1 }), /seconds/, 'no time');
+  renderer.render();
+  checks.that(renderer.readPixels().data.every((v, k) => v === before.data[k]), 'the scene was spoilt');
+  checks.equal(renderer.gl.getError(), 0, 'error of WebGL');
+  renderer.dispose();
+  renderer.dispose();
+  checks.throws(() => renderer.render(), /disposed/, 'after dispose');
+  return checks.wrong;
+}
+
+//--------------------------------------------------------------------------------------------------
+
+// Coarse pictures come first, and end where a picture that takes its time is at once.
+export function progress()
+{
+  const checks = new Checks();
+  const layout = { width: 160, height: 140 };
+  const heights = hills(160, 140);
+  const scene = {
+    lights: [SUN, { kind: 'point', position: [80, 70, 40], intensity: 0.3 }],
+    environmentLights: Array.from({ length: 24 }, (_, k) =>
+      ({ direction: [Math.sin(2.4 * k), Math.cos(2.4 * k), 0.1 + 0.05 * k], weight: 0.02 })),
+    material: { subsurfaceDepth: 2, forwardScatterCoefficient: 0.3, specularCoefficient: 0.2 },
+  };
+  const whole = afresh(heights, layout, scene);
+  const blended = afresh(heights, layout, scene, {}, { floatBlend: false });
+  checks.that(farthest(whole, blended) < 1e-6, 'without blending floats the sums differ');
+
+  const renderer = newRenderer(160, 140);
+  renderer.setHeights(heights, layout);
+  renderer.setScene(scene);
+  const mean = (data) => data.reduce((sum, v) => sum + v, 0) / data.length;
+  const first = renderer.render({ seconds: 0.001 });
+  checks.that(!first.converged && first.detail < 1 && first.progress < 1, 'the first picture is all');
+  checks.that(Math.abs(mean(renderer.readLinear().data) - mean(whole)) < 0.05, 'the first picture is too dark');
+  let last = first;
+  let before = first.progress;
+  let frames = 1;
+  for (; !last.converged && frames < 2000; ++frames)
+  {
+    last = renderer.render({ seconds: 0.001 });
+    checks.that(last.progress >= before - 1e-9, `progress goes back from ${before} to ${last.progress}`);
+    before = last.progress;
+  }
+  checks.that(last.converged && last.detail === 1, `has not converged after ${frames} pictures`);
+  checks.that(frames > 3, 'took no time');
+  const difference = farthest(renderer.readColors().data, whole);
+  checks.that(difference < 1e-5, `differs from a picture made at once by ${difference}`);
+
+  // While a light is dragged one picture follows another.
+  for (let k = 1; k < 5; ++k)
+  {
+    renderer.setScene({ ...scene, lights: [{ ...SUN, azimuth: 315 + k }, scene.lights[1]] });
+    const state = renderer.render({ seconds: 0.001, moving: true });
+    checks.that(state.lightsTraced <= 1 && state.detail < 1, `${state.lightsTraced} lights for a moving one`);
+  }
+  const finished = renderer.render();
+  checks.that(finished.converged && finished.lightsTraced === 1, 'what was dragged is not finished');
+
+  // Coarser if asked for, and no finer light is forgotten for it.
+  const coarse = renderer.render({ detail: 0.25 });
+  checks.that(!coarse.converged && coarse.detail <= 0.3 && coarse.lightsTraced === 0, 'a coarse picture');
+  checks.equal(renderer.render().lightsTraced, 0, 'back from a coarse picture: lights traced');
+
+  // Views: beside the field there is nothing, and far away neither.
+  checks.equal(renderer.render({ zoom: 0.5 }).lightsTraced, 0, 'zooming out: lights traced');
+  const small = renderer.readPixels();
+  checks.equal(small.data[3], 0, 'alpha beside the field');
+  checks.equal(small.data[4 * (70 * 160 + 80) + 3], 255, 'alpha in the middle');
+  checks.that(renderer.render({ centerX: 9 }).converged, 'nothing to see');
+  const near = renderer.render({ zoom: 8, centerX: 0.1, centerY: 0.2 });
+  checks.that(near.converged && near.lightsTraced === 0, `zooming in: ${near.lightsTraced} lights traced`);
+  // Its middle is the sample there.
+  const at = renderer.readLinear().data.slice(4 * (70 * 160 + 80));
+  const sample = whole.slice(4 * (28 * 160 + 16));
+  checks.that(at.length > 0 && sample.length > 0 && Math.abs(at[0] - sample[0]) < 0.2, 'zoomed elsewhere');
+  // As bright as can be.
+  renderer.setScene({ ...scene, automaticExposure: true });
+  renderer.render();
+  const bright = Math.max(...renderer.readPixels().data.filter((_, k) => k % 4 !== 3));
+  checks.that(bright >= 254, `automatic exposure ends at ${bright}`);
+  checks.equal(renderer.gl.getError(), 0, 'error of WebGL');
+  renderer.dispose();
+  return checks.wrong;
 }

@@ -11,11 +11,21 @@ import { parseArgs } from 'node:util';
 
 import { launch, openPage, serve } from './browser.mjs';
 
+// Runs a function of in_page.js, which returns what is wrong.
+function inPage(name)
+{
+  return async (page) =>
+  {
+    const wrong = await page.evaluate(async (f) => (await import('/tests/in_page.js'))[f](), name);
+    assert.deepEqual(wrong, []);
+  };
+}
+
 const tests = {
   // 99.9 % of the samples of each scene are what the filter makes of them.
   async Agreement(page)
   {
-    const results = await page.evaluate(async () => (await import('/tests/in_page.js')).agree());
+    const results = await page.evaluate(async () => (await import('/tests/in_page.js')).agreement());
     for (const result of results)
     {
       console.log(`${result.name}: ${result.wrong} of ${result.samples} differ, at most by ` +
@@ -30,6 +40,11 @@ const tests = {
     }
     assert.ok(results.length >= 20);
   },
+  Numbers: inPage('numbers'),
+  Context: inPage('context'),
+  KeptWork: inPage('keptWork'),
+  Errors: inPage('errors'),
+  Progress: inPage('progress'),
 };
 
 const { values, positionals } = parseArgs({
@@ -46,7 +61,8 @@ let failed = false;
 try
 {
   const { page, complaints } = await openPage(browser, server.url);
-  await tests[positionals[0]](page);
+  const late = new Promise((_, fail) => { setTimeout(() => fail(new Error('the page takes too long')), 240000).unref(); });
+  await Promise.race([tests[positionals[0]](page), late]);
   assert.deepEqual(complaints, [], 'the page complains');
 }
 catch (error)
