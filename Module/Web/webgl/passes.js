@@ -21,7 +21,7 @@ export class Passes
   constructor(gl, options = {})
   {
     this.gl = gl;
-    if (!gl.getExtension('EXT_color_buffer_float'))
+    if (!gl.getExtension('EXT_color_buffer_float') && !gl.isContextLost())
     {
       throw new ReliefError('the graphics processor cannot draw into floats (EXT_color_buffer_float is ' +
         'missing): use another browser or device, or shade on the processor');

@@ -283,11 +283,17 @@ export class ReliefRenderer
   // The last picture, rows from the top, four numbers a pixel.
   readPicture(encoded)
   {
-    if (this.lost || !this.place || !this.frames?.colors)
+    const { width, height } = this.place ?? { width: 0, height: 0 };
+    if (this.lost || !(width * height > 0) || !this.frames)
     {
       throw new ReliefError('there is no picture to read: call render() first, and again after a lost context');
     }
-    const { width, height } = this.place;
+    if (!this.frames.colors)
+    {
+      // Nothing of the field has been seen yet.
+      const background = encoded ? this.options.background : [0, 0, 0, 0];
+      return { width, height, data: Float32Array.from({ length: 4 * width * height }, (_, k) => background[k % 4]) };
+    }
     const target = this.passes.texture(width, height, 4);
     this.show(target, encoded);
     const values = this.passes.read(target);

@@ -157,6 +157,9 @@ function readTable(table, object, where, others = [])
   return values;
 }
 
+// By the owners that the parameters' table has; an environment is given as lights.
+export const TABLES = { Scene: SCENE, Material: MATERIAL, Light: LIGHT };
+
 //--------------------------------------------------------------------------------------------------
 // Lights
 

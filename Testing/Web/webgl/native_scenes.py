@@ -4,7 +4,7 @@
     native_scenes.py FOLDER
 
 Writes scenes.json, which has the scenes, and for each the heights and the linear colours as raw floats, rows
-from the top.
+from the top; and parameters.json, the table of parameters.
 """
 
 import json
@@ -12,7 +12,7 @@ import os
 import sys
 
 import numpy as np
-from reliefshading import vtkImageReliefShading, vtkReliefSceneFile
+from reliefshading import parameters, vtkImageReliefShading, vtkReliefSceneFile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..",
                                 "Examples", "Python"))
@@ -170,6 +170,10 @@ def main(folder):
             "textures": {name: write(name, texels) for name, texels in case["textures"].items()}})
     with open(os.path.join(folder, "scenes.json"), "w", encoding="utf-8") as file:
         json.dump(index, file, indent=1)
+    table = [{key: None if value in (np.inf, -np.inf) else value for key, value in row.items()}
+             for row in parameters()]
+    with open(os.path.join(folder, "parameters.json"), "w", encoding="utf-8") as file:
+        json.dump(table, file, indent=1)
     print(f"{len(index)} scenes in {folder}")
 
 
