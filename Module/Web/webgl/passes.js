@@ -12,7 +12,8 @@ import { COMBINED, IGOR, SURFACE_NORMAL, TANGENT_PLANE } from './scene.js';
 
 const FLT_MIN = 1.1754943508222875e-38;
 const FLT_EPSILON = 1.1920928955078125e-7;
-const MOST_POOLED = 12; // textures that wait to be used again
+const MOST_POOLED = 64 * 1024 * 1024; // bytes of textures that wait to be used again
+const MOST_DRAWN = 512 * 1024; // texels in one call
 const FORMATS = { 1: ['R32F', 'RED'], 2: ['RG32F', 'RG'], 4: ['RGBA32F', 'RGBA'] };
 const SUMS = ['diffuse', 'scatter', 'specular'];
 
@@ -32,6 +33,7 @@ export class Passes
     this.pixel = new Float32Array(4);
     this.programs = new Map();
     this.pool = [];
+    this.pooled = 0; // their bytes
     this.compiled = false; // whether the last pass was the first of its program
     // How programs tell what is no number; by the bits of it where they must.
     this.tests = options.nanByBits ? [true] : [false, true];
@@ -47,7 +49,9 @@ export class Passes
       t.width === width && t.height === height && t.components === components);
     if (at >= 0)
     {
-      return this.pool.splice(at, 1)[0];
+      const [found] = this.pool.splice(at, 1);
+      this.pooled -= sizeOf(found);
+      return found;
     }
     const { gl } = this;
     const handle = gl.createTexture();
@@ -69,9 +73,12 @@ export class Passes
       return;
     }
     this.pool.unshift(texture);
-    if (this.pool.length > MOST_POOLED)
+    this.pooled += sizeOf(texture);
+    while (this.pooled > MOST_POOLED)
     {
-      this.gl.deleteTexture(this.pool.pop().handle);
+      const oldest = this.pool.pop();
+      this.pooled -= sizeOf(oldest);
+      this.gl.deleteTexture(oldest.handle);
     }
   }
 
@@ -239,7 +246,6 @@ export class Passes
     gl.disable(gl.CULL_FACE);
     gl.viewport(0, 0, width, height);
     gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, begin, width, end - begin);
     if (add)
     {
       gl.enable(gl.BLEND);
@@ -249,7 +255,13 @@ export class Passes
     {
       gl.disable(gl.BLEND);
     }
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    // In bands: where the processor draws, a large picture would take longer than a browser likes.
+    const band = Math.max(Math.floor(MOST_DRAWN / width), 1);
+    for (let row = begin; row < end; row += band)
+    {
+      gl.scissor(0, row, width, Math.min(band, end - row));
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
   }
 
   // Waits until all has been drawn. Browsers finish a read sooner than they take finish() seriously.
@@ -497,12 +509,20 @@ export class Passes
   dispose()
   {
     const { gl } = this;
+    this.release(this.heights);
+    this.release(this.bounds);
     this.programs.forEach(({ handle }) => gl.deleteProgram(handle));
     this.pool.forEach(({ handle }) => gl.deleteTexture(handle));
     gl.deleteFramebuffer(this.framebuffer);
     this.programs.clear();
     this.pool = [];
+    this.pooled = 0;
   }
+}
+
+function sizeOf(texture)
+{
+  return 4 * texture.components * texture.width * texture.height;
 }
 
 // What is made of so small a depth would have few digits; d is its limit, to all that float has.

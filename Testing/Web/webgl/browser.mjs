@@ -8,7 +8,10 @@ import { createRequire } from 'node:module';
 import path from 'node:path';
 
 const SKIPPED = 77;
-const TYPES = { '.js': 'text/javascript', '.mjs': 'text/javascript', '.html': 'text/html', '.json': 'application/json' };
+const PATIENCE = 120000; // milliseconds, of machines that have other work
+const TYPES = {
+  '.js': 'text/javascript', '.mjs': 'text/javascript', '.html': 'text/html', '.json': 'application/json',
+};
 // A graphics processor in software, the same wherever the tests run.
 export const FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const PAGE = '<!doctype html><title>relief</title><link rel="icon" href="data:,"><canvas id="canvas"></canvas>';
@@ -56,13 +59,13 @@ export async function launch(browserFolder, chromium)
   let playwright;
   try
   {
-    playwright = createRequire(path.join(browserFolder, 'package.json'))('playwright-core');
+    playwright = createRequire(path.resolve(browserFolder, 'package.json'))('playwright-core');
   }
   catch (error)
   {
     giveUp(`there is no playwright-core in ${browserFolder} (npm)`);
   }
-  return playwright.chromium.launch({ executablePath: chromium, headless: true, args: FLAGS });
+  return playwright.chromium.launch({ executablePath: chromium, headless: true, args: FLAGS, timeout: PATIENCE });
 }
 
 // A page of the server, and what it complains of.
@@ -80,6 +83,6 @@ export async function openPage(browser, url)
     }
   });
   page.on('pageerror', (error) => complaints.push(String(error)));
-  await page.goto(url);
+  await page.goto(url, { timeout: PATIENCE });
   return { page, complaints };
 }

@@ -61,7 +61,10 @@ let failed = false;
 try
 {
   const { page, complaints } = await openPage(browser, server.url);
-  const late = new Promise((_, fail) => { setTimeout(() => fail(new Error('the page takes too long')), 240000).unref(); });
+  const late = new Promise((_, fail) =>
+  {
+    setTimeout(() => fail(new Error('the page takes too long')), 240000).unref();
+  });
   await Promise.race([tests[positionals[0]](page), late]);
   assert.deepEqual(complaints, [], 'the page complains');
 }
