@@ -65,18 +65,24 @@ function newRenderer(width, height = width, options = {})
   return new ReliefRenderer(new OffscreenCanvas(width, height), options);
 }
 
-// The colours of a scene by a renderer that has seen nothing else.
-function afresh(heights, layout, scene, request, options)
+const witnesses = new Map();
+
+// The colours of a scene for which nothing is kept: of heights that are set anew all is. One renderer for all, as
+// programs take long to compile.
+function afresh(heights, layout, scene, request, options = {})
 {
-  const renderer = newRenderer(layout.width, layout.height, options);
+  const kind = JSON.stringify(options);
+  if (!witnesses.has(kind))
+  {
+    witnesses.set(kind, newRenderer(1, 1, options));
+  }
+  const renderer = witnesses.get(kind);
+  renderer.canvas.width = layout.width;
+  renderer.canvas.height = layout.height;
   renderer.setHeights(heights, layout);
   renderer.setScene(scene);
   renderer.render(request);
-  const { data } = renderer.readColors();
-  renderer.dispose();
-  // A page has sixteen contexts, and whoever makes more loses the first.
-  renderer.gl.getExtension('WEBGL_lose_context').loseContext();
-  return data;
+  return renderer.readColors().data;
 }
 
 function farthest(a, b)
@@ -416,8 +422,8 @@ export function progress()
   const heights = hills(160, 140);
   const scene = {
     lights: [SUN, { kind: 'point', position: [80, 70, 40], intensity: 0.3 }],
-    environmentLights: Array.from({ length: 24 }, (_, k) =>
-      ({ direction: [Math.sin(2.4 * k), Math.cos(2.4 * k), 0.1 + 0.05 * k], weight: 0.02 })),
+    environmentLights: Array.from({ length: 14 }, (_, k) =>
+      ({ direction: [Math.sin(2.4 * k), Math.cos(2.4 * k), 0.1 + 0.05 * k], weight: 0.03 })),
     material: { subsurfaceDepth: 2, forwardScatterCoefficient: 0.3, specularCoefficient: 0.2 },
   };
   const whole = afresh(heights, layout, scene);
