@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Writes every program that ReliefPrograms makes, over all features, one after the other as JSON: what it
-// was asked for, and its text.
+// Writes every program that ReliefPrograms makes, over all features, one after the other as JSON:
+// what it was asked for, and its text.
 
 #include "ReliefPrograms.h"
 
@@ -50,9 +50,9 @@ public:
   void Add(const char* kind, const relief::FieldLayout& layout, const std::string& asked,
     const std::string& text)
   {
-    this->Out << (this->Count++ > 0 ? ",\n" : "") << "{\"kind\":\"" << kind << "\",\"tiled\":"
-              << (layout.tiledHeights || layout.tiledBounds ? "true" : "false") << ',' << asked
-              << ",\"text\":" << Quoted(text) << '}';
+    this->Out << (this->Count++ > 0 ? ",\n" : "") << "{\"kind\":\"" << kind
+              << "\",\"tiled\":" << (layout.tiledHeights || layout.tiledBounds ? "true" : "false")
+              << ',' << asked << ",\"text\":" << Quoted(text) << '}';
   }
 
   int GetCount() const { return this->Count; }
@@ -81,8 +81,8 @@ std::string Describe(const relief::LightFeatures& light)
   return Flags("light",
     { { "positional", light.positional }, { "surfaceNormal", light.surfaceNormal },
       { "tangentPlane", light.tangentPlane }, { "exponential", light.exponential },
-      { "floor", light.floor }, { "deep", light.deep }, { "fixedStep", light.fixedStep }, { "combined", light.combined },
-      { "igor", light.igor } });
+      { "floor", light.floor }, { "deep", light.deep }, { "fixedStep", light.fixedStep },
+      { "combined", light.combined }, { "igor", light.igor } });
 }
 
 std::string Describe(const relief::SumFeatures& sums)
