@@ -26,6 +26,7 @@
 #include <limits>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -454,6 +455,26 @@ relief::NormalMap vtkNormalMapToHeightField::ReadMap(
 }
 
 //------------------------------------------------------------------------------
+// Throws a std::range_error for heights that no surface with such normals has: the steepest that is
+// of use rises by 1000 from one sample to the next. Of depths the logarithm must be a number.
+void vtkNormalMapToHeightField::CheckRange(
+  const relief::NormalMap& map, const std::vector<double>& heights, bool perspective)
+{
+  const double most = perspective ? 700.0 : 1000.0 * (double(map.columns) + map.rows) * 1000.0;
+  for (double height : heights)
+  {
+    // NaN is no data.
+    if (std::abs(height) > most)
+    {
+      std::ostringstream message;
+      message << "the heights of these normals grow beyond all bounds at the Smoothness "
+              << this->Smoothness << "; lower it, or take the method LeastSquares";
+      throw std::range_error(message.str());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Whether heights were found: not if an observer ended the work.
 bool vtkNormalMapToHeightField::Integrate(const Inputs& inputs, vtkDataArray* result)
 {
@@ -500,6 +521,7 @@ bool vtkNormalMapToHeightField::Integrate(const Inputs& inputs, vtkDataArray* re
   {
     return false;
   }
+  this->CheckRange(map, heights, perspective);
   const bool fromMinimum = this->Datum == Minimum && !perspective;
   this->NumberOfParts = relief::LevelHeights(
     map, fromMinimum ? relief::HeightDatum::Minimum : relief::HeightDatum::Mean, heights);
@@ -549,6 +571,10 @@ int vtkNormalMapToHeightField::RequestData(
   catch (const std::bad_alloc&)
   {
     wrong = "there is not enough memory to integrate the normals";
+  }
+  catch (const std::range_error& beyond)
+  {
+    wrong = beyond.what();
   }
   if (!wrong.empty())
   {

@@ -38,6 +38,7 @@
 #include "vtkImageAlgorithm.h"
 
 #include <string> // For what is wrong with inputs
+#include <vector> // For heights
 
 namespace relief
 {
@@ -310,6 +311,8 @@ private:
   relief::NormalCamera MakeCamera(const int* dimensions) const;
   relief::NormalMap ReadMap(const Inputs& inputs, const relief::NormalIntegration& integration);
   bool Integrate(const Inputs& inputs, vtkDataArray* result);
+  void CheckRange(
+    const relief::NormalMap& map, const std::vector<double>& heights, bool perspective);
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkReliefAbort.h"
 #include "vtkReliefSetters.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -15,6 +16,7 @@
 #include "ReliefCompression.h"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <new>
 #include <string>
@@ -24,9 +26,15 @@ vtkStandardNewMacro(vtkReliefCompression);
 
 namespace
 {
+// Thrown where an observer ends the work.
+struct Ended
+{
+};
+
 // Returns what is wrong with the depth.
 std::string Compress(const relief::hosts::HeightInputs& inputs,
-  const relief::CompressionSettings& settings, float background, float* result)
+  const relief::CompressionSettings& settings, const relief::ParallelFor& parallelFor,
+  float background, float* result)
 {
   const double* given = inputs.image->GetSpacing();
   const double spacing[2] = { given[0], given[1] };
@@ -34,15 +42,14 @@ std::string Compress(const relief::hosts::HeightInputs& inputs,
   relief::hosts::WithHeightSource(inputs, spacing,
     [&](const auto& heights)
     {
-      const relief::UnitDepth depth = relief::ReadUnitDepth(heights, relief::hosts::ForRows);
+      const relief::UnitDepth depth = relief::ReadUnitDepth(heights, parallelFor);
       if (!(2.0 * settings.budget * depth.halfRange <= std::numeric_limits<float>::max()))
       {
         wrong = "the relief would be higher than single precision can tell; give depth in a larger "
                 "unit, or a lower HeightBudget";
         return;
       }
-      const std::vector<double> shares =
-        relief::CompressDepth(depth, settings, relief::hosts::ForRows);
+      const std::vector<double> shares = relief::CompressDepth(depth, settings, parallelFor);
       for (std::size_t k = 0; k < shares.size(); ++k)
       {
         // Multiplied in this order the product is finite.
@@ -155,6 +162,24 @@ int vtkReliefCompression::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+// Loops over threads that tell of progress, and end where an observer asks for it. How many there
+// will be depends on the depth: each takes what is left a little farther.
+std::function<void(int, const std::function<void(int, int)>&)> vtkReliefCompression::Watched()
+{
+  return [this, left = 1.0](int count, const std::function<void(int, int)>& body) mutable
+  {
+    constexpr double usualLoops = 2000.0;
+    left *= 1.0 - 1.0 / usualLoops;
+    this->UpdateProgress(1.0 - left);
+    if (vtkReliefIsAborted(this))
+    {
+      throw Ended();
+    }
+    relief::hosts::ForRows(count, body);
+  };
+}
+
+//------------------------------------------------------------------------------
 int vtkReliefCompression::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -182,11 +207,15 @@ int vtkReliefCompression::RequestData(
       output->AllocateScalars(VTK_FLOAT, 1);
       vtkDataArray* result = output->GetPointData()->GetScalars();
       result->SetName(heights.scalars->GetName());
-      wrong = Compress(heights, settings,
+      wrong = Compress(heights, settings, this->Watched(),
         this->FillBackground ? 0.0f : std::numeric_limits<float>::quiet_NaN(),
         static_cast<float*>(result->GetVoidPointer(0)));
       output->GetFieldData()->PassData(heights.image->GetFieldData());
     }
+  }
+  catch (const Ended&)
+  {
+    output->Initialize(); // an observer asked for it
   }
   catch (const std::bad_alloc&)
   {

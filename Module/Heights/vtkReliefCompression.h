@@ -30,6 +30,8 @@
  * depth-and-normal maps on GPU", Computer Graphics Forum 33/5, 2014, that a base and details are
  * treated apart; its details are those of the depth, as there are no normals.
  *
+ * Tells its progress and can be aborted, which leaves the output empty.
+ *
  * @sa vtkImageReliefShading vtkReliefStepSmoothing
  */
 #ifndef vtkReliefCompression_h
@@ -37,6 +39,8 @@
 
 #include "vtkFiltersReliefShadingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
+
+#include <functional> // For loops over threads
 
 class VTKFILTERSRELIEFSHADING_EXPORT vtkReliefCompression : public vtkImageAlgorithm
 {
@@ -148,6 +152,8 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  std::function<void(int, const std::function<void(int, int)>&)> Watched();
 
   int Method = GradientDomain;
   double HeightBudget = 0.1;

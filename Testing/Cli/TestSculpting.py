@@ -61,6 +61,41 @@ class NormalMaps(Case):
         sums = self.shade("normals.ppm", "--normal-map", "up", "--normal-method", "path-sums")
         self.assertNotEqual(sums, squares)
 
+    def test_a_mask_keeps_what_is_hidden_out_of_the_heights(self):
+        # Outside of a disc there is nonsense, which would bend the surface inside.
+        inside = lambda i, j: math.hypot(i - 31.5, j - 31.5) < 20
+        self.normals()
+        with open(self.path("normals.ppm"), "rb") as stream:
+            pixels = stream.read()[-3 * SIZE * SIZE:]
+        rows = [[tuple(pixels[3 * (SIZE * j + i):][:3]) if inside(i, j) else ((i * 97 + j * 61) % 256, (i * 41) % 256, 140)
+                 for i in range(SIZE)] for j in range(SIZE)]
+        self.ppm(rows, "noise.ppm")
+        self.png([[65535 * inside(i, j) for i in range(SIZE)] for j in range(SIZE)], "mask.png")
+        words = ("--normal-map", "up", "--sun", "300,30", "--mask", "mask.png")
+        clean, masked = self.shade("normals.ppm", *words), self.shade("noise.ppm", *words)
+        pairs = [(clean[i, j], masked[i, j]) for j in range(SIZE) for i in range(SIZE) if inside(i, j)]
+        self.assertEqual({b[3] for _, b in pairs}, {255})
+        self.assertLess(sum(abs(a[0] - b[0]) for a, b in pairs) / len(pairs), 1.0)
+
+    def test_spacing_is_the_unit(self):
+        # Normals say how steep a surface is, whatever the distance of its samples.
+        words = ("--normal-map", "up", "--sun", "300,30")
+        self.assertLess(self.difference(self.shade(self.normals(), *words),
+                                        self.shade("normals.ppm", *words, "--spacing", "4")), 0.1)
+
+    def test_what_is_not_known_is_told(self):
+        # A plane is one with green up or down.
+        rows = [[(150, 140, 230)] * SIZE for _ in range(SIZE)]
+        result = self.run_(self.ppm(rows, "plane.ppm"), "out.png", "--normal-map", "auto")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("which way green points cannot be told", result.stderr)
+
+    def test_options_of_rasters(self):
+        self.normals()
+        for words in (("--band", "2"), ("--encoding", "terrarium"), ("--nodata", "3"), ("--degrees",),
+                      ("--channel", "R"), ("--part", "1")):
+            self.bad(2, [words[0], "normal map"], "normals.ppm", "out.png", "--normal-map", "auto", *words)
+
     def test_refusals(self):
         self.bad(2, ["--normal-map", "sideways"], self.normals(), "out.png", "--normal-map", "sideways")
         self.bad(2, ["--normal-method", "--normal-map"], "normals.ppm", "out.png", "--normal-method", "cliffs")
@@ -92,6 +127,11 @@ class Reliefs(Case):
             stream.write("v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 5 4 8\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n")
         self.good("mesh.obj", "out.png", "--resolution", "80", "--relief", "0.1", "--bands", "rgba")
         self.assertEqual(Picture(self.path("out.png"))[40, 40][3], 255)
+
+    def test_tints_are_of_heights_as_they_are(self):
+        with open(self.path("tint.txt"), "w", encoding="ascii") as stream:
+            stream.write("0 255 0 0\n9 0 0 255\n")
+        self.bad(2, ["--tint", "--relief"], self.hills(), "out.png", "--tint", "tint.txt", "--relief", "0.1")
 
     def test_refusals(self):
         self.hills()

@@ -265,11 +265,50 @@ void TestFarCamera()
   filter->Update();
   CHECK(CompareHeights(filter->GetOutput(), HeightOf(hill)).worst < 0.01);
 }
+
+//------------------------------------------------------------------------------
+// Noise under weights that tear every sample from its neighbours: heights that are finite, or none
+// and one message.
+void TestTornSamples()
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> spread;
+  const auto noise = MakeVectors(20, 30, 3,
+    [&](int, int, double* normal)
+    {
+      normal[0] = spread(random);
+      normal[1] = spread(random);
+      normal[2] = std::abs(spread(random)) + 0.01;
+    });
+  for (const double smoothness : { 2.0, 50.0, 1000.0 })
+  {
+    vtkNew<vtkNormalMapToHeightField> filter;
+    MessageKeeper messages(filter);
+    filter->SetInputData(noise);
+    filter->SetEncodingToSigned();
+    filter->SetMethodToDiscontinuityPreserving();
+    filter->SetSmoothness(smoothness);
+    filter->Update();
+    vtkImageData* output = filter->GetOutput();
+    if (output->GetNumberOfPoints() == 0)
+    {
+      CHECK(messages.OneError("beyond all bounds"));
+      continue;
+    }
+    CHECK(messages.Silent());
+    vtkDataArray* heights = output->GetPointData()->GetScalars();
+    for (vtkIdType k = 0; k < heights->GetNumberOfTuples(); ++k)
+    {
+      CHECK(std::isnan(heights->GetComponent(k, 0)) || std::abs(heights->GetComponent(k, 0)) < 5e7);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 int TestNormalMapDiscontinuities(int, char*[])
 {
+  TestTornSamples();
   TestCliffs();
   TestSmooth();
   TestPerspective();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkReliefCompression: the budget, what does not change the relief, background, steps where depth
 // jumps, the order of depth, hard inputs, refusals.
+#include "vtkCallbackCommand.h"
 #include "vtkReliefCompression.h"
 
 #include "CompressionSubjects.h"
@@ -493,11 +494,51 @@ void TestRefusals()
   compression->Update();
   CHECK(messages.Silent());
 }
+
+//------------------------------------------------------------------------------
+// It tells how far it is, always farther, and ends where an observer asks for it.
+void TestProgress()
+{
+  vtkNew<vtkReliefCompression> compression;
+  compression->SetInputData(MakeHeights(64, 64, Dome));
+  struct Watch
+  {
+    vtkReliefCompression* filter;
+    double last = 0.0;
+    int events = 0;
+    bool rises = true;
+    bool end = false;
+  } watch{ compression };
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      Watch& w = *static_cast<Watch*>(data);
+      w.rises = w.rises && w.filter->GetProgress() >= w.last && w.filter->GetProgress() <= 1.0;
+      w.last = w.filter->GetProgress();
+      ++w.events;
+      w.filter->SetAbortExecute(w.end && w.events > 10);
+    });
+  compression->AddObserver(vtkCommand::ProgressEvent, command);
+  compression->Update();
+  CHECK(watch.events > 20 && watch.rises);
+  CHECK(compression->GetOutput()->GetNumberOfPoints() == 64 * 64);
+
+  const int all = watch.events;
+  watch = { compression };
+  watch.end = true;
+  compression->Modified();
+  compression->Update();
+  CHECK(watch.events < all / 2);
+  CHECK(compression->GetOutput()->GetNumberOfPoints() == 0);
+}
 }
 
 //------------------------------------------------------------------------------
 int TestReliefCompression(int, char*[])
 {
+  TestProgress();
   TestLinear();
   TestBudget<vtkUnsignedCharArray>(1.0, 0.0);
   TestBudget<vtkShortArray>(100.0, -5000.0);

@@ -16,7 +16,10 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 
 namespace
 {
@@ -36,6 +39,15 @@ const char* rasterOption(const ReadOptions& options)
                                                                : nullptr;
 }
 
+//------------------------------------------------------------------------------
+/// In bytes; 0 where the system does not tell.
+double fileSize(const std::string& file)
+{
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0.0 : static_cast<double>(size);
+}
+
 }
 
 namespace reliefshade
@@ -52,8 +64,17 @@ bool isMesh(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void checkMeshOptions(const std::string& input, const MeshView& view, const ReadOptions& options)
+void checkMeshOptions(
+  const std::string& input, const MeshView& view, const ReadOptions& options, bool normals)
 {
+  if (normals && isMesh(input))
+  {
+    throw Failure("--normal-map", "is of pictures, and INPUT is a mesh", UsageFailure);
+  }
+  if (normals && rasterOption(options))
+  {
+    throw Failure(rasterOption(options), "is of rasters, and INPUT is a normal map", UsageFailure);
+  }
   const char* const wrong = isMesh(input) ? rasterOption(options)
     : view.Direction                      ? "--view"
     : view.Up                             ? "--view-up"
@@ -77,6 +98,8 @@ Raster readMesh(
     [&]
     {
       const vtkSmartPointer<vtkPolyDataAlgorithm> reader = imageFormats().NewMeshReader(file);
+      // A mesh takes more than its file, above all if that is binary and packed.
+      budget.Claim(0.0, 3.0 * fileSize(file));
       runToEnd(reader);
       // Points and triangles as they are gathered, and a height of 8 bytes twice.
       vtkPolyData* mesh = reader->GetOutput();

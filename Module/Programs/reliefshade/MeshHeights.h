@@ -23,8 +23,9 @@ struct MeshView
 bool isMesh(const std::string& file);
 
 /// Throws a Failure, of the command line, if there is an option that the kind of input does not
-/// take.
-void checkMeshOptions(const std::string& input, const MeshView& view, const ReadOptions& options);
+/// take. `normals`: it is a normal map.
+void checkMeshOptions(
+  const std::string& input, const MeshView& view, const ReadOptions& options, bool normals);
 
 /// Reads a mesh and takes its heights as seen from one side, NaN where nothing is seen; they have
 /// the unit of their spacing, which is the mesh's. `bytesPerSample` as for readRaster(). Throws a

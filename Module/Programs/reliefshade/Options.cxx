@@ -575,8 +575,9 @@ bool parseOptions(int argc, char* argv[], Options& options)
   }
   putFramesFirst(options);
   nameStreams(options);
-  checkMeshOptions(options.Input, options.View, options.Reading);
-  checkSculpting(options.Sculpted);
+  checkMeshOptions(
+    options.Input, options.View, options.Reading, options.Sculpted.Green.has_value());
+  checkSculpting(options.Sculpted, !options.Tint.empty());
   checkNames(options);
   checkOutputOptions(options);
   return true;

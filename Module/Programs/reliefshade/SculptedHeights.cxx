@@ -17,15 +17,21 @@ namespace
 // What the filters say they need while they run.
 constexpr double integratedBytes = 120.0;
 constexpr double bilateralBytes = 250.0;
-constexpr double squeezedBytes = 110.0;
+constexpr double squeezedBytes = 190.0;
 }
 
 namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-void checkSculpting(const Sculpting& sculpting)
+void checkSculpting(const Sculpting& sculpting, bool tinted)
 {
+  if (sculpting.Relief && tinted)
+  {
+    throw Failure("--tint",
+      "gives colours by height, of which --relief leaves a share; leave one of them out",
+      UsageFailure);
+  }
   if (sculpting.Integration && !sculpting.Green)
   {
     throw Failure("--normal-method", "is of normal maps; see --normal-map", UsageFailure);
@@ -33,19 +39,30 @@ void checkSculpting(const Sculpting& sculpting)
 }
 
 //------------------------------------------------------------------------------
-Raster readNormalMap(
-  const std::string& file, const Sculpting& sculpting, MemoryBudget& budget, double bytesPerSample)
+Raster readNormalMap(const std::string& file, const std::string& mask,
+  const std::array<double, 2>& spacing, const Sculpting& sculpting, MemoryBudget& budget,
+  double bytesPerSample)
 {
   const int method = sculpting.Integration.value_or(vtkNormalMapToHeightField::LeastSquares);
   const bool many = method == vtkNormalMapToHeightField::DiscontinuityPreserving;
   vtkSmartPointer<vtkImageData> map =
     readPicture(file, budget, 1.0, bytesPerSample + (many ? bilateralBytes : integratedBytes));
+  map->SetSpacing(spacing[0], spacing[1], 1.0);
   Raster raster;
+  raster.Heights = map;
+  if (!mask.empty())
+  {
+    addMask(mask, ReadOptions(), file, budget, raster);
+  }
   aboutFile(file,
     [&]
     {
       vtkNew<vtkNormalMapToHeightField> heights;
       heights->SetInputData(map);
+      if (raster.Mask)
+      {
+        heights->SetMaskData(raster.Mask);
+      }
       heights->SetGreen(*sculpting.Green);
       heights->SetMethod(method);
       runToEnd(heights);
@@ -54,7 +71,20 @@ Raster readNormalMap(
       raster.Columns = raster.Heights->GetDimensions()[0];
       raster.Rows = raster.Heights->GetDimensions()[1];
       raster.OneUnit = true;
-      relief::raster::SetSpacing(raster, { 1.0, 1.0 });
+      relief::raster::SetSpacing(raster, spacing);
+      using relief::raster::Warning;
+      if (!heights->IsGreenKnown())
+      {
+        raster.Warnings.push_back(
+          { "which way green points cannot be told: up is taken; see --normal-map",
+            Warning::None });
+      }
+      if (!heights->GetConverged())
+      {
+        raster.Warnings.push_back({ "its heights were still changing after " +
+            std::to_string(heights->GetNumberOfIterations()) + " steps; see --normal-method",
+          Warning::None });
+      }
     });
   return raster;
 }

@@ -4,6 +4,7 @@
 
 #include "RasterFiles.h"
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -19,13 +20,15 @@ struct Sculpting
   std::optional<double> Relief;   ///< height of the relief, as a share of the depth
 };
 
-/// Throws a Failure, of the command line, for options that do not go together.
-void checkSculpting(const Sculpting& sculpting);
+/// Throws a Failure, of the command line, for options that do not go together. `tinted`: heights
+/// give colours.
+void checkSculpting(const Sculpting& sculpting, bool tinted);
 
-/// Reads a picture of normals and makes heights of it, in samples. Throws a Failure that names the
-/// file.
-Raster readNormalMap(
-  const std::string& file, const Sculpting& sculpting, MemoryBudget& budget, double bytesPerSample);
+/// Reads a picture of normals and makes heights of it, in the unit of its spacing, of those samples
+/// that a mask's file shows, if it has a name. Throws a Failure that names the file.
+Raster readNormalMap(const std::string& file, const std::string& mask,
+  const std::array<double, 2>& spacing, const Sculpting& sculpting, MemoryBudget& budget,
+  double bytesPerSample);
 
 /// Squeezes heights into a relief. Throws a Failure that names `heights`.
 void squeezeHeights(

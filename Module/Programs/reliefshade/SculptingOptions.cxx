@@ -54,9 +54,10 @@ void addSculptingOptions(OptionParser& parser, Options& options)
       }
     });
   parser.Choice("--normal-map",
-    "INPUT is a picture of a surface's normals, from which its heights are found, in samples. "
-    "Where "
-    "green points: up, down, or what suits the picture better",
+    "INPUT is a picture of a surface's normals, from which its heights are found, in the unit of "
+    "--spacing; a georeference is not read. Where green points: up, down, or what suits the "
+    "picture "
+    "better",
     { { "auto", set(options.Sculpted.Green, vtkNormalMapToHeightField::AutomaticGreen) },
       { "up", set(options.Sculpted.Green, vtkNormalMapToHeightField::Up) },
       { "down", set(options.Sculpted.Green, vtkNormalMapToHeightField::Down) } });

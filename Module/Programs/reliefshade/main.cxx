@@ -32,6 +32,7 @@
 #include "vtkScalarsToColors.h"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -239,10 +240,11 @@ void run(Options& options)
   reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
   Raster raster = isMesh(options.Input)
     ? readMesh(options.Input, options.View, budget, bytesPerSample(options))
-    : options.Sculpted.Green
-    ? readNormalMap(options.Input, options.Sculpted, budget, bytesPerSample(options))
-    : readRaster(options.Input, reading, budget, bytesPerSample(options));
-  if (!options.Mask.empty())
+    : options.Sculpted.Green ? readNormalMap(options.Input, options.Mask,
+                                 options.Spacing.value_or(std::array<double, 2>{ 1.0, 1.0 }),
+                                 options.Sculpted, budget, bytesPerSample(options))
+                             : readRaster(options.Input, reading, budget, bytesPerSample(options));
+  if (!options.Mask.empty() && !options.Sculpted.Green)
   {
     addMask(options.Mask, ReadOptions(), options.Input, budget, raster);
   }

@@ -230,7 +230,7 @@ void MainWindow::ChooseAndOpen()
     QFileDialog::getOpenFileName(this, tr("Open a height field or a scene"), this->Folder,
       tr("Height fields and scenes (*.tif *.tiff *.asc *.png *.exr *.hdr *.pfm *.img *.dem *.hgt "
          "*.bil "
-         "*.vrt *.nc *.jp2 *.obj *.ply *.stl *.vtp *.gltf *.glb *.json);;Scenes (*.json);;All "
+         "*.vrt *.nc *.jp2 *.obj *.vtk *.ply *.stl *.vtp *.gltf *.glb *.json);;Scenes (*.json);;All "
          "files (*)"));
   if (!file.isEmpty())
   {
