@@ -54,19 +54,6 @@ std::string NumberText(double value)
            : (exponent < 0 ? "e-" : "e+") + std::string(power.size() < 2 ? "0" : "") + power);
 }
 
-// Empty, or what is wrong: the differences of differences of heights must be numbers too.
-std::string CheckRelief(const Range& range)
-{
-  constexpr double most = std::numeric_limits<float>::max() / 16.0;
-  if (!(range.hi - range.lo > most))
-  {
-    return std::string();
-  }
-  return "heights reach from " + NumberText(range.lo) + " to " + NumberText(range.hi) +
-    ", a relief of at most " + NumberText(most) +
-    " is expected; a value that means no data is told by the nodata value";
-}
-
 // Turns a caller's rows into heights.
 template <class T>
 class RowReader
@@ -204,12 +191,39 @@ int CountBands(int rows)
 
 }
 
+double HeightField::FindDatum(double lo, double hi, bool floats)
+{
+  // By the heights as float has them.
+  const double low = static_cast<float>(lo);
+  const double high = static_cast<float>(hi);
+  const double largest = std::max(std::abs(low), std::abs(high));
+  return high >= low && !floats && largest > 64.0 * (high - low) ? lo + (hi - lo) / 2.0 : 0.0;
+}
+
+// The differences of differences of heights must be numbers too.
+std::string HeightField::CheckRange(double lo, double hi)
+{
+  constexpr double most = std::numeric_limits<float>::max() / 16.0;
+  if (!(hi - lo > most))
+  {
+    return std::string();
+  }
+  return "heights reach from " + NumberText(lo) + " to " + NumberText(hi) +
+    ", a relief of at most " + NumberText(most) +
+    " is expected; a value that means no data is told by the nodata value";
+}
+
+std::uint64_t HeightField::NextVersion()
+{
+  static std::atomic<std::uint64_t> versions{ 0 };
+  return ++versions;
+}
+
 template <class T>
 std::string HeightField::Assign(
   const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded)
 {
-  static std::atomic<std::uint64_t> versions{ 0 };
-  this->Version = ++versions;
+  this->Version = NextVersion();
   HeightView<float>& view = this->Prepared.heights;
   view.columns = source.columns;
   view.rows = source.rows;
@@ -316,7 +330,7 @@ bool HeightField::AssignInPlace(
   {
     return false; // a height that is infinite is none
   }
-  wrong = CheckRelief(range);
+  wrong = CheckRange(range.lo, range.hi);
   if (wrong.empty())
   {
     this->Copy.Allocate(0);
@@ -379,13 +393,11 @@ std::string HeightField::AssignCopy(
 
   this->Datum = 0.0;
   Range range = copy(0.0);
-  const double largest = std::max(std::abs(range.lo), std::abs(range.hi));
   const bool hasData = range.hi >= range.lo;
-  // Float input has no more digits to keep.
-  if (hasData && !std::is_same_v<T, float> && largest > 64.0 * (range.hi - range.lo))
+  if (FindDatum(range.lo, range.hi, std::is_same_v<T, float>) != 0.0)
   {
     const Range exact = ExactRange(source, reader, parallelFor);
-    this->Datum = exact.lo + (exact.hi - exact.lo) / 2.0;
+    this->Datum = FindDatum(exact.lo, exact.hi, false);
     range = copy(this->Datum);
   }
   if (hasData && (std::isinf(range.lo) || std::isinf(range.hi)))
@@ -394,7 +406,7 @@ std::string HeightField::AssignCopy(
     return "heights reach from " + NumberText(exact.lo) + " to " + NumberText(exact.hi) +
       ", numbers within single precision (3.4e38) are expected";
   }
-  const std::string wrong = CheckRelief(range);
+  const std::string wrong = CheckRange(range.lo, range.hi);
   if (!wrong.empty())
   {
     return wrong;

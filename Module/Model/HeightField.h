@@ -81,6 +81,16 @@ public:
 
   static constexpr int Padding = 32;
 
+  /// What heights are lowered by before they become float lengths: their middle where they lie so
+  /// high above 0, or so far below it, that float would lose the relief; else 0. `lo` and `hi` are
+  /// the least and the greatest as lengths, in double; `floats` says that the samples themselves
+  /// are float, which have no more digits to keep.
+  static double FindDatum(double lo, double hi, bool floats);
+
+  /// Says what is wrong with heights above the datum of this range; empty if nothing is, or if
+  /// there are none (hi < lo).
+  static std::string CheckRange(double lo, double hi);
+
   /// The row that stands for all rows outside a padded field, from x = 0; null without padding.
   const float* GetMissingRow() const { return this->MissingRow; }
 
@@ -123,6 +133,9 @@ public:
   void operator=(const HeightField&) = delete;
 
 private:
+  friend class SparseHeights;
+
+  static std::uint64_t NextVersion();
   static constexpr int GetNumberOfBlocks(int size) { return size == 0 ? 6 : 5; }
 
   // Uses the caller's samples where they are, if nothing has to change; returns whether, and what

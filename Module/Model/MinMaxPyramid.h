@@ -37,6 +37,27 @@ public:
   /// Makes room for a field of this many samples; its bounds are unset.
   void Allocate(int columns, int rows);
 
+  ///@{
+  /// Blocks of this many cells along a side, those of this level, are known of a whole raster when
+  /// only parts of it are at hand.
+  static constexpr int RegionLevel = 4;
+  static constexpr int RegionShift = BlockShift + RegionLevel;
+  static constexpr int RegionSize = 1 << RegionShift;
+  ///@}
+
+  /// Makes room as Allocate() does, of which the levels below RegionLevel take memory only where
+  /// they are filled. Returns whether the system has any.
+  bool Reserve(int columns, int rows);
+
+  /// Fills the levels below RegionLevel in the regions [begin, end) of a row of regions, whose
+  /// samples are at `heights`, from the field's first one on, with those that close them. Distinct
+  /// regions may be filled at once.
+  void BuildRegions(const HeightView<float>& heights, int begin, int end, int row);
+
+  /// The blocks of a level, row by row.
+  RawArray<Bounds>& GetBlocks(int level) { return this->Levels[level].blocks; }
+  const RawArray<Bounds>& GetBlocks(int level) const { return this->Levels[level].blocks; }
+
   /// Fills rows [begin, end) of level 0 from the heights. Distinct rows may be filled at once.
   void BuildBase(const HeightView<float>& heights, int begin, int end);
 
@@ -44,8 +65,8 @@ public:
   /// blocks begins with. Nothing where a field has no cells.
   void BuildBaseRow(int row, const float* const* samples, int count);
 
-  /// Fills the other levels from level 0.
-  void BuildUpper();
+  /// Fills the levels above one from that.
+  void BuildUpper(int below = 0);
 
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
   int GetColumns(int level) const { return this->Levels[level].columns; } ///< of blocks
@@ -94,6 +115,11 @@ private:
     int rows = 0;
     RawArray<Bounds> blocks;
   };
+  // Lists the levels, and makes room for their blocks by makeRoom(level, blocks, count), which says
+  // whether there is any.
+  template <class MakeRoom>
+  bool List(int columns, int rows, MakeRoom&& makeRoom);
+
   std::vector<Level> Levels;
   int Columns = 0; // of samples
 };

@@ -3,6 +3,7 @@
 #define RawArray_h
 
 #include "LargePages.h"
+#include "ReservedMemory.h"
 
 #include <cstddef>
 #include <memory>
@@ -33,24 +34,59 @@ public:
   /// of that size is used again.
   void Allocate(std::size_t count)
   {
-    if (count != this->Count)
+    if (count != this->Count || this->IsReserved())
     {
-      this->Count = 0;
-      this->Values = nullptr;
-      this->Room.reset(); // first, so that never both take memory
+      this->GiveBack(); // first, so that never both take memory
       if (count > 0)
       {
         // Large ones have their pages to themselves, and get large ones.
         const std::size_t begin = count * sizeof(T) < LargePage ? Line : LargePage;
         const std::size_t bytes = (count * sizeof(T) + begin - 1) / begin * begin;
         std::size_t space = bytes + begin;
-        this->Room.reset(static_cast<unsigned char*>(::operator new(space)));
+        this->Room = Owner(static_cast<unsigned char*>(::operator new(space)));
         void* first = this->Room.get();
         this->Values = static_cast<T*>(std::align(begin, bytes, first, space));
         UseLargePages(this->Values, bytes);
       }
       this->Count = count;
     }
+  }
+
+  /// Makes room for so many numbers, all 0, that takes memory only where it is written. Returns
+  /// whether the system has any.
+  bool Reserve(std::size_t count)
+  {
+    this->GiveBack();
+    if (count > 0)
+    {
+      const std::size_t bytes = count * sizeof(T);
+      void* room = ReserveMemory(bytes);
+      if (!room)
+      {
+        return false;
+      }
+      this->Room = Owner(static_cast<unsigned char*>(room), Free{ bytes });
+      this->Values = static_cast<T*>(room);
+      this->Count = count;
+    }
+    return true;
+  }
+
+  /// Whether the room takes memory only where it is written.
+  bool IsReserved() const { return this->Room.get_deleter().reserved > 0; }
+
+  /// Forgets the numbers [begin, end) of reserved room, as far as they fill pages: these are 0
+  /// again.
+  void Forget(std::size_t begin, std::size_t end)
+  {
+    ForgetMemory(this->Values + begin, (end - begin) * sizeof(T));
+  }
+
+  /// How many bytes of reserved room take memory; all of it elsewhere.
+  std::size_t CountResident() const
+  {
+    const std::size_t bytes = this->Count * sizeof(T);
+    return this->IsReserved() ? CountResidentMemory(this->Values, bytes) : bytes;
   }
 
   std::size_t size() const { return this->Count; }
@@ -68,12 +104,32 @@ private:
     std::swap(this->Count, other.Count);
   }
 
+  void GiveBack()
+  {
+    this->Count = 0;
+    this->Values = nullptr;
+    this->Room = Owner();
+  }
+
   static constexpr std::size_t Line = 64; // bytes
   struct Free
   {
-    void operator()(unsigned char* room) const { ::operator delete(room); }
+    std::size_t reserved = 0; // bytes, of reserved room
+
+    void operator()(unsigned char* room) const
+    {
+      if (this->reserved > 0)
+      {
+        ReleaseMemory(room, this->reserved);
+      }
+      else
+      {
+        ::operator delete(room);
+      }
+    }
   };
-  std::unique_ptr<unsigned char, Free> Room;
+  using Owner = std::unique_ptr<unsigned char, Free>;
+  Owner Room;
   T* Values = nullptr;
   std::size_t Count = 0;
 };

@@ -94,6 +94,12 @@ SceneShading::SceneShading(
   this->NeedsRing = this->NeedsRing || this->HasNormals;
 }
 
+void SceneShading::Redirect(const Target& target)
+{
+  this->Out = target;
+  this->Writer = std::make_unique<PictureWriter>(target, this->Parts);
+}
+
 PictureParts SceneShading::MakeParts(const EffectPlan& effects) const
 {
   const Scene& scene = this->Parameters;

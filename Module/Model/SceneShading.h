@@ -19,6 +19,10 @@ namespace relief
 
 /// Shades one scene over one field with the effects that the scene calls for. What can be decided
 /// once is decided in the constructor; Shade() may then run on disjoint parts at once.
+///
+/// Of the field's heights and bounds nothing is kept but its range, size and addresses. So between
+/// two calls of Shade(), regions of a field of SparseHeights may be forgotten and others filled,
+/// and one object shades all tiles of a raster: what a light's plan takes is paid once.
 class SceneShading
 {
 public:
@@ -30,6 +34,10 @@ public:
   /// HeightField::Assign() must pad it. Lights themselves do not count: they come and go, and the
   /// field stays.
   static bool WantsPadding(const Scene& scene, int columns);
+
+  /// Takes another target with the same layers, as tile after tile of a picture wants. Nothing that
+  /// was decided depends on where the target lies; a cache's keys do, so there must be none.
+  void Redirect(const Target& target);
 
   /// Shades the samples [i0, i1) x [j0, j1) of the field. Parts that begin and end at multiples of
   /// the tile of SweepThickness cost least: tiles are computed whole.

@@ -4,6 +4,7 @@
 #include "HeightRows.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace relief
 {
@@ -25,18 +26,96 @@ void SlideOver(int blocks, const Widen& widen)
     widen(blocks - covered);
   }
 }
+
+// What is known of a row of blocks, each number such that the greatest is looked for.
+void ReadBlocks(
+  const MinMaxPyramid& pyramid, int level, int begin, int end, int row, float* greatest)
+{
+  for (int column = begin; column < end; ++column, greatest += 3)
+  {
+    const MinMaxPyramid::Bounds& found = pyramid.At(level, column, row);
+    const MinMaxPyramid::Bounds block = found.lo > found.hi ? MinMaxPyramid::GetMixed() : found;
+    greatest[0] = -block.lo;
+    greatest[1] = block.hi;
+    greatest[2] = block.twist;
+  }
+}
+
+// Widens a row of blocks to squares.
+void SlideAlong(int blocks, std::size_t pitch, float* row)
+{
+  SlideOver(blocks,
+    [&](int by)
+    {
+      const std::size_t apart = 3 * static_cast<std::size_t>(by);
+      RaiseTo(row + apart, pitch - std::min(apart, pitch), row);
+    });
+}
+}
+
+// Returns the level of the blocks.
+int SlidingBounds::SetSize(const MinMaxPyramid& pyramid, int level, int blocks)
+{
+  level = std::min(level, pyramid.GetNumberOfLevels() - 1);
+  const bool any = level >= 0 && blocks > 0;
+  this->Shift = MinMaxPyramid::BlockShift + level;
+  this->Columns = any ? pyramid.GetColumns(level) : 0;
+  this->Rows = any ? pyramid.GetRows(level) : 0;
+  this->Blocks = blocks;
+  return level;
+}
+
+bool SlidingBounds::Reserve(const MinMaxPyramid& pyramid, int level, int blocks)
+{
+  this->SetSize(pyramid, level, blocks);
+  return this->Greatest.Reserve(this->GetPitch() * this->Rows);
+}
+
+void SlidingBounds::BuildRegions(const MinMaxPyramid& pyramid, int begin, int end, int row)
+{
+  const int level = this->Shift - MinMaxPyramid::BlockShift;
+  const int side = MinMaxPyramid::RegionSize >> this->Shift;
+  const int column0 = begin * side;
+  const int row0 = row * side;
+  const int columns = std::min(end * side, this->Columns) - column0;
+  const int rows = std::min((row + 1) * side, this->Rows) - row0;
+  if (columns <= 0 || rows <= 0)
+  {
+    return;
+  }
+  // With the blocks of the regions behind that the squares reach over.
+  const int lastColumn = std::min(column0 + columns + this->Blocks - 1, this->Columns);
+  const int lastRow = std::min(row0 + rows + this->Blocks - 1, this->Rows);
+  const std::size_t pitch = 3 * static_cast<std::size_t>(lastColumn - column0);
+  std::vector<float> greatest(pitch * (lastRow - row0));
+  auto rowAt = [&](int k) { return greatest.data() + pitch * (k - row0); };
+  for (int k = row0; k < lastRow; ++k)
+  {
+    ReadBlocks(pyramid, level, column0, lastColumn, k, rowAt(k));
+    SlideAlong(this->Blocks, pitch, rowAt(k));
+  }
+  SlideOver(this->Blocks,
+    [&](int by)
+    {
+      for (int k = row0; k + by < lastRow; ++k)
+      {
+        RaiseTo(rowAt(k + by), pitch, rowAt(k));
+      }
+    });
+  for (int k = row0; k < row0 + rows; ++k)
+  {
+    std::copy_n(rowAt(k), 3 * static_cast<std::size_t>(columns),
+      this->Greatest.data() + this->GetPitch() * k + 3 * static_cast<std::size_t>(column0));
+  }
 }
 
 void SlidingBounds::Build(
   const MinMaxPyramid& pyramid, int level, int blocks, const ParallelFor& parallelFor)
 {
-  level = std::min(level, pyramid.GetNumberOfLevels() - 1);
-  const bool any = level >= 0 && blocks > 0;
-  const int columns = any ? pyramid.GetColumns(level) : 0;
-  const int rows = any ? pyramid.GetRows(level) : 0;
-  const std::size_t pitch = 3 * static_cast<std::size_t>(columns);
-  this->Shift = MinMaxPyramid::BlockShift + level;
-  this->Columns = columns;
+  level = this->SetSize(pyramid, level, blocks);
+  const int columns = this->Columns;
+  const int rows = this->Rows;
+  const std::size_t pitch = this->GetPitch();
   this->Greatest.Allocate(pitch * rows);
   // Along the rows, each by itself.
   parallelFor(rows,
@@ -45,21 +124,8 @@ void SlidingBounds::Build(
       for (int row = begin; row < end; ++row)
       {
         float* own = this->Greatest.data() + pitch * row;
-        for (int column = 0; column < columns; ++column)
-        {
-          const MinMaxPyramid::Bounds& found = pyramid.At(level, column, row);
-          const MinMaxPyramid::Bounds block =
-            found.lo > found.hi ? MinMaxPyramid::GetMixed() : found;
-          own[3 * column] = -block.lo;
-          own[3 * column + 1] = block.hi;
-          own[3 * column + 2] = block.twist;
-        }
-        SlideOver(blocks,
-          [&](int by)
-          {
-            const std::size_t apart = 3 * static_cast<std::size_t>(by);
-            RaiseTo(own + apart, pitch - std::min(apart, pitch), own);
-          });
+        ReadBlocks(pyramid, level, 0, columns, row, own);
+        SlideAlong(blocks, pitch, own);
       }
     });
   // Across them, some columns at a time.

@@ -20,6 +20,19 @@ public:
   /// fewer, at which a single block is the whole field. With 0 blocks there are none.
   void Build(const MinMaxPyramid& pyramid, int level, int blocks, const ParallelFor& parallelFor);
 
+  /// Makes such room for them that takes memory only where it is filled. Returns whether the system
+  /// has any.
+  bool Reserve(const MinMaxPyramid& pyramid, int level, int blocks);
+
+  /// Finds the bounds of the squares that begin in the regions [begin, end) of a row of regions, as
+  /// many blocks wide as Reserve() was told. Distinct regions may be filled at once.
+  void BuildRegions(const MinMaxPyramid& pyramid, int begin, int end, int row);
+
+  RawArray<float>& GetGreatest() { return this->Greatest; } ///< GetPitch() a row of squares
+  std::size_t GetPitch() const { return 3 * static_cast<std::size_t>(this->Columns); }
+  int GetNumberOfRows() const { return this->Rows; }
+  int GetShift() const { return this->Shift; } ///< a square's first block has 1 << this many cells
+
   /// How many cells from any cell on are within the square that From() tells of.
   static constexpr int Reach(int level, int blocks)
   {
@@ -35,8 +48,12 @@ public:
   }
 
 private:
+  int SetSize(const MinMaxPyramid& pyramid, int level, int blocks);
+
   int Shift = 0;
   int Columns = 0;
+  int Rows = 0;
+  int Blocks = 0; // along a side of a square
   // Three numbers a square, the lowest height negated: of each the greatest is looked for.
   RawArray<float> Greatest;
 };
