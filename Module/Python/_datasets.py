@@ -23,6 +23,7 @@ class Source:
         self.dem = dem = as_dataset(dem)
         self.where = "point"
         self._across = False  # a lattice whose rows run along x
+        self._steps = (1, 1)  # -1 for the axis of a lattice, x or y, along which coordinates descend
         if isinstance(dem, pv.ImageData):
             self._read_image(dem, scalars)
         elif isinstance(dem, pv.StructuredGrid):
@@ -59,6 +60,12 @@ class Source:
             points, heights = points.transpose(1, 0, 2), heights.T
         xs, ys = points[0, :, 0], points[:, 0, 1]
         steps = [(line[-1] - line[0]) / max(len(line) - 1, 1) or 1.0 for line in (xs, ys)]
+        # An image whose coordinates ascend: masks and textures lie on it as on the map.
+        self._steps = tuple(-1 if step < 0.0 else 1 for step in steps)
+        turn = np.s_[::self._steps[1], ::self._steps[0]]
+        points, heights = points[turn], heights[turn]
+        xs, ys = points[0, :, 0], points[:, 0, 1]
+        steps = [abs(step) for step in steps]
         # Coordinates of maps are large, and points mostly of single precision.
         loose = 1e-2 * np.abs(steps) + 4e-7 * max(np.abs(xs).max(), np.abs(ys).max())
         if (np.abs(points[..., 0] - (xs[0] + steps[0] * np.arange(len(xs)))) > loose[0]).any() or (
@@ -81,10 +88,12 @@ class Source:
     def put(self, dataset, name, array):
         """Gives a dataset an array of VTK of the image's samples."""
         values = pv.convert_array(array)
-        if self._across:
+        if self._across or min(self._steps) < 0:
             columns, rows, _ = self.image.GetDimensions()
             shape = values.shape[1:]
-            values = values.reshape(rows, columns, *shape).swapaxes(0, 1).reshape(-1, *shape)
+            values = values.reshape(rows, columns, *shape)[::self._steps[1], ::self._steps[0]]
+            values = values.swapaxes(0, 1) if self._across else values
+            values = values.reshape(-1, *shape)
         data = dataset.point_data if self.where == "point" else dataset.cell_data
         data[name] = values
 

@@ -133,6 +133,40 @@ class TestShade(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "equal steps"):
             rs.shade(bent)
 
+    def test_whichever_way_coordinates_run(self):
+        """Each point gets the colour of its place, and masks and textures lie as on the map."""
+        values = heights()
+        xs, ys = 2.0 * np.arange(50) + 4e5, 3.0 * np.arange(40) + 5e6
+        mask = np.ones((40, 50), bool)
+        mask[:4, 30:] = False  # at the map's north east
+        colors = np.random.default_rng(7).integers(0, 255, (40, 50, 3), np.uint8)
+        look = dict(sun=(300, 20), height_scale=2, mask=mask, base_texture=colors,
+                    layers=("base", "illumination"))
+
+        def placed(shaded):
+            order = np.lexsort((shaded.points[:, 0], shaded.points[:, 1]))
+            return {name: np.asarray(shaded[name])[order] for name in ("Shading", "Base", "Illumination")}
+
+        north, east = np.meshgrid(ys, xs, indexing="ij")
+        expected_arrays = placed(rs.shade(pv.StructuredGrid(east, north, values), **look))
+        for down in (1, -1):
+            for left in (1, -1):
+                turn = np.s_[::down, ::left]
+                for name, grid in {
+                        "rows": pv.StructuredGrid(east[turn], north[turn], values[turn]),
+                        "across": pv.StructuredGrid(east[turn].T, north[turn].T, values[turn].T)}.items():
+                    with self.subTest(f"{name} {down} {left}"):
+                        for array, got in placed(rs.shade(grid, **look)).items():
+                            np.testing.assert_array_equal(got, expected_arrays[array])
+                        terrain = rs.drape(grid, height_scale=2)
+                        np.testing.assert_allclose(terrain.points[:, 2], 2.0 * grid.points[:, 2],
+                                                   atol=1e-5)
+                plane = pv.RectilinearGrid(xs[::left], ys[::down])
+                plane["z"] = values[turn].ravel()
+                with self.subTest(f"rectilinear {down} {left}"):
+                    for array, got in placed(rs.shade(plane, scalars="z", **look)).items():
+                        np.testing.assert_array_equal(got, expected_arrays[array])
+
     def test_looks(self):
         dem = image()
         plain = rs.shade(dem, diffuse_color="#ff6347", base_color="#102030")["Shading"]
