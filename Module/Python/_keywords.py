@@ -90,6 +90,12 @@ ELSEWHERE = {
     "brightness": "exposure", "steps": "number_of_steps", "offset": "offset_mode", "floor": "floor_height"}
 
 
+def kept(keywords):
+    """Keywords that can be used again: an iterator, which can be read but once, becomes a tuple."""
+    return {name: tuple(value) if hasattr(value, "__next__") else value
+            for name, value in keywords.items()}
+
+
 def check_names(function, keywords, without=()):
     known = [name for name in (*FIXED_NAMES, *TABLE) if name not in without]
     for name in keywords:

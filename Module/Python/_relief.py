@@ -9,7 +9,7 @@ from . import vtkImageReliefShading
 from ._colors import Colors
 from ._errors import update
 from ._heights import Heights
-from ._keywords import (LAYERS, OF_HEIGHTS, TABLE, check_names, color, flag, number, suggestion)
+from ._keywords import (LAYERS, OF_HEIGHTS, TABLE, check_names, color, flag, kept, number, suggestion)
 from ._lights import PRESETS, Environments, preset_of
 from ._results import ReliefImage
 from ._scene import set_scene
@@ -32,6 +32,7 @@ class Relief:
 
     def __init__(self, heights, *, cache_memory_limit=256, **keywords):
         check_names("Relief", keywords)
+        keywords = kept(keywords)
         self._lock = threading.RLock()
         self._filter = vtkImageReliefShading()
         limit = number(cache_memory_limit, "cache_memory_limit", "a number of MiB")
@@ -49,7 +50,7 @@ class Relief:
     def set_heights(self, heights, **keywords):
         """Takes other heights; spacing, mask and nodata stay unless they are given, too."""
         check_names("set_heights", keywords, [name for name in TABLE if name not in OF_HEIGHTS])
-        known = {**self._of_heights, **keywords}
+        known = {**self._of_heights, **kept(keywords)}
         read = Heights(heights, **known)
         with self._lock:
             self._of_heights = known
@@ -77,7 +78,7 @@ class Relief:
         nodata."""
         check_names("shade", keywords, OF_HEIGHTS)
         with self._lock:
-            values = combined(self._keywords, keywords)
+            values = combined(self._keywords, kept(keywords))
             background = _background(values)
             self._update(values)
             result = ReliefImage(self._filter, self._heights, background)

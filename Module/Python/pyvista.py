@@ -27,7 +27,7 @@ from ._colors import Colors
 from ._datasets import Source, look_of
 from ._errors import update as update_algorithm
 from ._heights import Heights
-from ._keywords import LAYERS, OF_HEIGHTS, check_names, several
+from ._keywords import LAYERS, OF_HEIGHTS, check_names, kept, several
 from ._lights import Environments
 from ._relief import Relief, combined
 from ._scene import set_scene
@@ -169,7 +169,7 @@ class LiveRelief:
     def update(self, **look):
         """Adds to the look, and lets the plotter show it in its next frame."""
         check_names("update", look, (*OF_HEIGHTS, *_OF_ARRAYS, "layers", "dtype"))
-        values = combined(self._keywords, look_of(look))
+        values = combined(self._keywords, kept(look_of(look)))
         set_scene(self.scene, values, self._heights, self._environments)
         if not self.scene.GetLights().GetNumberOfItems() and not self.scene.GetEnvironment():
             # Else it would take the plotter's own lights.
@@ -232,7 +232,7 @@ class _ImageRelief(Relief):
 
     def picture(self, look):
         with self._lock:
-            self._keywords = values = combined(self._keywords, look)
+            self._keywords = values = combined(self._keywords, kept(look))
             self._update(values)
             self._keywords.pop("scene", None)
             output = self._filter.GetOutput()

@@ -237,6 +237,12 @@ class TestDrape(unittest.TestCase):
         rs.update(terrain, scene)
         np.testing.assert_array_equal(terrain["Shading"], rs.shade(dem, scene=scene, cmap="terrain")["Shading"])
         np.testing.assert_allclose(terrain.points[:, 2], 3.0 * dem["z"], rtol=1e-5)
+        terrain = rs.drape(dem, suns=iter([(90, 25), (0, 25)]))
+        rs.update(terrain, diffuse_color=0.5)
+        rs.update(terrain, suns=iter([(180, 25), (0, 25)]))
+        rs.update(terrain, diffuse_color=0.25)
+        np.testing.assert_array_equal(terrain["Shading"], rs.shade(
+            dem, suns=[(180, 25), (0, 25)], diffuse_color=0.25)["Shading"])
         gone = weakref.ref(rs._Draped.find(terrain))
         del terrain
         gc.collect()
@@ -311,6 +317,10 @@ class TestLive(unittest.TestCase):
         relief.update(diffuse_color="tomato")
         self.assertEqual(relief.scene.GetHeightScale(), 2.0)
         self.assertNotEqual(relief.scene.GetMaterial().GetDiffuseColor(), (1.0, 1.0, 1.0))
+        relief.update(suns=iter([(90, 30), (0, 30)]), cmap=iter([(0, "black"), (30, "white")]))
+        for _ in range(2):
+            relief.update(diffuse_color="tomato")
+            self.assertEqual(relief.scene.GetLights().GetNumberOfItems(), 2)
         with self.assertRaisesRegex(TypeError, "layers"):
             relief.update(layers="all")
         with self.assertRaisesRegex(ValueError, "tolerance"):

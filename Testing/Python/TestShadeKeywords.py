@@ -71,6 +71,20 @@ class TestRelief(unittest.TestCase):
         with self.assertRaises(TypeError):
             relief.shade(spacing=3.0)
 
+    def test_iterators_serve_all_pictures(self):
+        suns, lamps = [(0, 45), (90, 45)], [(9, 9, 99), (50, 30, 60)]
+        layers, cmap = ["illumination", "diffuse"], [(0.0, "black"), (60.0, "red")]
+        expected = shade(hills(), suns=suns, lamps=lamps, layers=layers, cmap=cmap, spacing=(2, 3))
+        relief = Relief(hills(), suns=iter(suns), lamps=(lamp for lamp in lamps), layers=iter(layers),
+                        cmap=zip(*zip(*cmap)), spacing=iter((2, 3)))
+        for _ in range(3):
+            result = relief.shade()
+            np.testing.assert_array_equal(result.image, expected.image)
+            self.assertEqual(list(result.layers), layers)
+            relief.set_heights(hills())
+        np.testing.assert_array_equal(
+            relief.shade(suns=iter(suns), lamps=iter(lamps)).image, expected.image)
+
 
 class TestKeywords(unittest.TestCase):
     def keyword(self, row):
