@@ -9,7 +9,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import create_vtk_array, get_vtk_array_type, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-from ._keywords import several
+from ._keywords import brief, several, shown
 
 
 def plain_array(values, name):
@@ -17,7 +17,7 @@ def plain_array(values, name):
     array = np.asarray(values)
     kind = array.dtype.kind
     if kind not in "biuf":
-        raise TypeError(f"{name}: an array of real numbers is expected, not of {array.dtype}")
+        raise TypeError(f"{name}: an array of real numbers is expected, not of {brief(str(array.dtype))}")
     if kind == "b":
         return np.ascontiguousarray(array).view(np.uint8)
     if kind == "f" and array.dtype.itemsize not in (4, 8):
@@ -62,9 +62,10 @@ def flat_shape(array, name):
     if array.ndim == 3 and 1 in (array.shape[0], array.shape[2]):
         array = array[..., 0] if array.shape[2] == 1 else array[0]
     if array.ndim != 2:
-        raise ValueError(f"{name}: an array of (rows, columns) is expected, its shape is {array.shape}")
+        raise ValueError(f"{name}: an array of (rows, columns) is expected, its shape is "
+                         f"{shown(array.shape)}")
     if array.size == 0:
-        raise ValueError(f"{name}: the array is empty, its shape is {array.shape}")
+        raise ValueError(f"{name}: the array is empty, its shape is {shown(array.shape)}")
     return array
 
 
@@ -83,7 +84,8 @@ def read_mask(mask, shape, covered):
     if mask is not None:
         mask = flat_shape(np.asarray(mask), "mask")
         if mask.dtype.kind not in "biuf":
-            raise TypeError(f"mask: an array of bools or numbers is expected, not of {mask.dtype}")
+            raise TypeError(f"mask: an array of bools or numbers is expected, not of "
+                            f"{brief(str(mask.dtype))}")
         if mask.shape != shape:
             raise ValueError(f"mask: the shape is {mask.shape}, that of the heights is {shape}")
         mask = (mask != 0) & (mask == mask)  # NaN is no data
@@ -96,5 +98,5 @@ def read_spacing(spacing):
     pair = spacing if np.ndim(spacing) or isinstance(spacing, str) else (spacing, spacing)
     pair = several(pair, "spacing", (2,), "a number or a pair (dx, dy)")
     if not all(0.0 < size < float("inf") for size in pair):
-        raise ValueError(f"spacing: {spacing!r} was given, numbers above 0 are expected")
+        raise ValueError(f"spacing: {shown(spacing)} was given, numbers above 0 are expected")
     return pair

@@ -6,7 +6,7 @@ from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from ._arrays import plain_array, to_image
-from ._keywords import encoded_color, several
+from ._keywords import brief, encoded_color, several, shown, suggestion
 
 TEXTURES = {"diffuse_texture": "SetDiffuseTextureData", "base_texture": "SetBaseTextureData",
             "specular_texture": "SetSpecularTextureData"}
@@ -47,10 +47,10 @@ def to_texture(values, name, heights):
     if np.asarray(values).dtype.kind == "b" or array.dtype not in (
             np.uint8, np.uint16, np.float32, np.float64):
         raise TypeError(f"{name}: uint8 or uint16 (sRGB), float32 or float64 (linear) is expected, "
-                        f"not {np.asarray(values).dtype}")
+                        f"not {brief(str(np.asarray(values).dtype))}")
     if array.ndim not in (2, 3) or (array.ndim == 3 and not 1 <= array.shape[2] <= 4) or not array.size:
         raise ValueError(f"{name}: an array of (rows, columns) with 1 to 4 components is expected, "
-                         f"its shape is {array.shape}")
+                         f"its shape is {shown(array.shape)}")
     # Stretched, it lies as the heights lie in memory, whatever its own spacing says.
     return to_image(np.ascontiguousarray(heights.turned(array)))
 
@@ -60,7 +60,7 @@ def read_limits(limits, heights, covered, nodata):
     if limits is not None:
         low, high = several(limits, "clim", (2,), "a pair (low, high)")
         if not (np.isfinite(low) and np.isfinite(high) and low < high):
-            raise ValueError(f"clim: {limits!r} was given, two finite numbers are expected, the first "
+            raise ValueError(f"clim: {shown(limits)} was given, two finite numbers are expected, the first "
                              "the smaller")
         return low, high
     counts = np.isfinite(heights) if heights.dtype.kind == "f" else np.ones(heights.shape, bool)
@@ -112,13 +112,12 @@ def _named(name):
             from matplotlib import cm
             names, find = list(cm.cmap_d if hasattr(cm, "cmap_d") else cm._cmap_registry), cm.get_cmap
         except ImportError:
-            raise ValueError(f"cmap: Matplotlib, which has the colormap {name!r}, is not installed; "
+            raise ValueError(f"cmap: Matplotlib, which has the colormap {shown(name)}, is not installed; "
                              "an array of colours will do") from None
     try:
         return find(name)
     except (KeyError, ValueError):
-        from ._keywords import suggestion
-        raise ValueError(f"cmap: Matplotlib has no colormap {name!r}"
+        raise ValueError(f"cmap: Matplotlib has no colormap {shown(name)}"
                          + suggestion(name, names)) from None
 
 
@@ -163,6 +162,6 @@ def _between(pairs):
             color, "cmap", (3,), "a colour, three sRGB codes or a name,")
         if not (np.isfinite(height) and 0.0 <= min(codes) and max(codes) <= 1.0):
             raise ValueError("cmap: finite heights and sRGB codes from 0 to 1 are expected, not "
-                             f"{(height, color)!r}")
+                             f"{shown((height, color))}")
         function.AddRGBPoint(height, *codes)
     return function

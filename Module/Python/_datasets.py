@@ -6,7 +6,7 @@ import pyvista as pv
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._heights import image_of_cells
-from ._keywords import TABLE
+from ._keywords import TABLE, brief, shown
 
 COLORS = (*[name for name, row in TABLE.items() if row["kind"] == "color"], "background")
 TEXTURES = ("diffuse_texture", "base_texture", "specular_texture")
@@ -50,7 +50,7 @@ class Source:
         if scalars is not None:
             name, self.where = find_scalars(dem, scalars)
             if self.where == "cell":
-                raise ValueError(f"{name!r} belongs to the cells of a {type(dem).__name__}; heights of "
+                raise ValueError(f"{shown(name)} belongs to the cells of a {type(dem).__name__}; heights of "
                                  "points are expected (cell_data_to_point_data())")
             heights = np.asarray(dem.point_data[name]).reshape(rows, columns)
         # The first axis of a grid may run along x, as an image's, or along y.
@@ -115,7 +115,8 @@ def find_scalars(dem, scalars):
         for where, data in (("point", dem.point_data), ("cell", dem.cell_data)):
             if scalars in data:
                 return scalars, where
-        raise ValueError(f"there is no array {scalars!r}; there are {', '.join(dem.array_names)}")
+        raise ValueError(f"there is no array {shown(scalars)}; there are "
+                         + brief(", ".join(map(str, dem.array_names)), 100))
     for where, data in (("point", dem.point_data), ("cell", dem.cell_data)):
         # What is active, or the only one.
         name = data.active_scalars_name or (data.keys()[0] if len(data) == 1 else None)
@@ -130,13 +131,17 @@ def look_of(keywords):
     look = dict(keywords)
     for name in COLORS:
         if isinstance(look.get(name), (str, pv.Color)):
-            look[name] = pv.Color(look[name]).hex_rgb
+            try:
+                look[name] = pv.Color(look[name]).hex_rgb
+            except ValueError:
+                raise ValueError(f"{name}: {shown(look[name])} is no colour; a name as PyVista has it or "
+                                 "#rrggbb is expected") from None
     if isinstance(look.get("cmap"), str):
         from pyvista.plotting.colors import get_cmap_safe
         try:
             look["cmap"] = get_cmap_safe(look["cmap"])
         except (KeyError, TypeError, ValueError) as error:
-            raise ValueError(f"cmap: {error}") from None
+            raise ValueError(f"cmap: {brief(str(error), 160)}") from None
     for name in TEXTURES:
         if look.get(name) is not None:
             look[name] = _array_of(look[name])

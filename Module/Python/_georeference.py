@@ -5,6 +5,8 @@ import math
 
 import numpy as np
 
+from ._keywords import shown
+
 X_NAMES = ("x", "lon", "longitude", "easting", "long", "xc")
 Y_NAMES = ("y", "lat", "latitude", "northing", "yc")
 # Metres of the units that coordinates and heights have.
@@ -102,8 +104,8 @@ def _dimensions(array):
     if len(names) < 2:  # lines and points have a dimension of one sample
         names = list(array.dims)[-2:]
     if len(names) != 2:
-        raise ValueError(f"heights of two dimensions are expected, these have {tuple(array.dims)}; take "
-                         "one of each other dimension (isel)")
+        raise ValueError(f"heights: two dimensions are expected, these have {shown(tuple(array.dims))}; "
+                         "take one of each other dimension (isel)")
     y, x = names
     if _is_of(array, y, "X", X_NAMES) or _is_of(array, x, "Y", Y_NAMES):
         y, x = x, y

@@ -7,6 +7,7 @@ import math
 import numbers
 import operator
 import re
+import reprlib
 
 from . import parameters
 from ._errors import listening
@@ -74,8 +75,41 @@ OF_LIGHT = {snake(row["key"]): row for row in parameters() if row["owner"] == "L
 # ------------------------------------------------------------------------------
 # Values of keywords.
 
+ROOM = 60  # of a value in a message, in characters
+
+
+def brief(text, room=ROOM):
+    """A text of one line that leaves out what is in its middle where it is long."""
+    text = " ".join(text.split()) if "\n" in text else text
+    return text if len(text) <= room else f"{text[:(room - 3) // 2]}...{text[-(room - 2) // 2:]}"
+
+
+class _Shown(reprlib.Repr):
+    """Python's own repr() of values that may have any length, and fail."""
+
+    def __init__(self):
+        super().__init__()
+        self.maxlevel, self.maxstring, self.maxother, self.maxlong = 3, ROOM, ROOM, ROOM
+
+    def repr_int(self, value, level):
+        # Python refuses to write thousands of digits.
+        if value.bit_length() > 999:
+            return f"an integer of {value.bit_length()} bits"
+        return super().repr_int(value, level)
+
+
+def shown(value):
+    """A value as messages show it."""
+    try:
+        return brief(_Shown().repr(value))
+    except Exception:  # whatever it is that cannot be shown
+        return f"<{type(value).__name__}>"
+
+
 def suggestion(word, words):
-    near = difflib.get_close_matches(str(word).lower(), words, 1)
+    if not isinstance(word, str) or len(word) > ROOM:
+        return ""
+    near = difflib.get_close_matches(word.lower(), words, 1)
     return f"; did you mean {near[0]!r}?" if near else ""
 
 
@@ -101,7 +135,7 @@ def check_names(function, keywords, without=()):
     for name in keywords:
         if name not in known:
             other = ELSEWHERE.get(name.lower())
-            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}"
+            raise TypeError(f"{function}() got an unexpected keyword argument {shown(name)}"
                             + (f"; did you mean {other!r}?" if other in known
                                else suggestion(name, known)))
 
@@ -112,20 +146,26 @@ def is_flag(value):
 
 def flag(value, name):
     if not is_flag(value):
-        raise TypeError(f"{name}: True or False is expected, not {value!r}")
+        raise TypeError(f"{name}: True or False is expected, not {shown(value)}")
     return bool(value)
+
+
+class _TooLarge(ValueError):
+    """A number that a float or an int of C cannot hold."""
 
 
 def number(value, name, expected="a number"):
     """A float of a real number, which neither a bool nor a text is."""
     if isinstance(value, (str, bytes)) or is_flag(value):
-        raise TypeError(f"{name}: {expected} is expected, not {value!r}")
+        raise TypeError(f"{name}: {expected} is expected, not {shown(value)}")
     if not isinstance(value, numbers.Real) and getattr(value, "ndim", None) != 0:
         raise TypeError(f"{name}: {expected} is expected, not {type(value).__name__}")
     try:
         return float(value)
-    except (TypeError, OverflowError):
-        raise TypeError(f"{name}: {expected} is expected, not {value!r}") from None
+    except OverflowError:
+        raise _TooLarge(f"{name}: {shown(value)} was given, {expected} is expected") from None
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: {expected} is expected, not {shown(value)}") from None
 
 
 def several(value, name, counts, expected):
@@ -135,7 +175,7 @@ def several(value, name, counts, expected):
     except TypeError:
         items = None
     if items is None or len(items) not in counts:
-        raise TypeError(f"{name}: {expected} is expected, not {value!r}")
+        raise TypeError(f"{name}: {expected} is expected, not {shown(value)}")
     return tuple(number(item, name, expected) for item in items)
 
 
@@ -160,7 +200,7 @@ def encoded_color(text, name):
         digits = text[1:] if len(text) == 7 else "".join(2 * digit for digit in text[1:])
         return tuple(int(digits[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
     if not colors.ColorExists(text):
-        raise ValueError(f"{name}: {text!r} is no colour; a name as of CSS or #rrggbb is expected")
+        raise ValueError(f"{name}: {shown(text)} is no colour; a name as of CSS or #rrggbb is expected")
     codes = colors.GetColor4ub(text)
     return tuple(codes[i] / 255.0 for i in range(3))
 
@@ -173,16 +213,23 @@ def word_of(choice):
 def _choice(value, name, choices):
     words = [word_of(choice) for choice in choices]
     if not isinstance(value, str):
-        raise TypeError(f"{name}: one of {', '.join(words)} is expected, not {value!r}")
+        raise TypeError(f"{name}: one of {', '.join(words)} is expected, not {shown(value)}")
     for i, choice in enumerate(choices):
         if value in (choice, words[i], words[i].replace("-", "_")):
             return i
-    raise ValueError(f"{name}: {value!r} was given, one of {', '.join(words)} is expected"
+    raise ValueError(f"{name}: {shown(value)} was given, one of {', '.join(words)} is expected"
                      + suggestion(value, words))
 
 
 def converted(row, value, name):
     """The arguments of a parameter's setter."""
+    try:
+        return _converted(row, value, name)
+    except _TooLarge:
+        raise ValueError(f"{name}: {shown(value)} was given, {_bounds(row)} is expected") from None
+
+
+def _converted(row, value, name):
     kind = row["kind"]
     if kind == "choice":
         return (_choice(value, name, row["choices"]),)
@@ -192,9 +239,12 @@ def converted(row, value, name):
         try:
             if is_flag(value):
                 raise TypeError
-            return (operator.index(value),)
+            value = operator.index(value)
+            if not -2 ** 31 <= value < 2 ** 31:
+                raise _TooLarge
+            return (value,)
         except TypeError:
-            raise TypeError(f"{name}: a whole number is expected, not {value!r}") from None
+            raise TypeError(f"{name}: a whole number is expected, not {shown(value)}") from None
     if kind == "color":
         return color(value, name)
     if kind == "range":
@@ -210,14 +260,14 @@ def set_checked(name, instance, setter, arguments, *others):
         try:
             result = getattr(instance, setter)(*arguments)
         except OverflowError as error:
-            raise ValueError(f"{name}: {error}") from None
+            raise ValueError(f"{name}: {brief(str(error), 120)}") from None
     if heard.failed:
         # The setter's own words, but for its name and for what becomes of its object.
         text = re.sub(r"\A[A-Z]\w+: ", "", heard.errors[0])
         text = re.sub(r"; [^;]* (kept|added)\Z", "", text.rstrip("."))
         if "not enough memory" in text:
             raise MemoryError(text)
-        raise ValueError(f"{name}: {text}")
+        raise ValueError(f"{name}: {brief(text, 160)}")
     return result
 
 

@@ -6,7 +6,7 @@ from vtkmodules.vtkRenderingCore import vtkLight
 
 from . import vtkReliefEnvironment
 from ._arrays import plain_array, to_upright_image
-from ._keywords import OF_LIGHT, converted, several, set_checked, suggestion
+from ._keywords import OF_LIGHT, converted, several, set_checked, shown, suggestion
 
 PRESETS = {
     "default": (0, "SetLightsToDefault"),
@@ -20,10 +20,10 @@ PRESETS = {
 
 def preset_of(name):
     if not isinstance(name, str):
-        raise TypeError(f"preset: one of {', '.join(PRESETS)} is expected, not {name!r}")
+        raise TypeError(f"preset: one of {', '.join(PRESETS)} is expected, not {shown(name)}")
     key = name.replace("_", "-")
     if key not in PRESETS:
-        raise ValueError(f"preset: {name!r} was given, one of {', '.join(PRESETS)} is expected"
+        raise ValueError(f"preset: {shown(name)} was given, one of {', '.join(PRESETS)} is expected"
                          + suggestion(key, list(PRESETS)))
     return key
 
@@ -97,7 +97,7 @@ def _angles(name, sun, only=False):
             raise TypeError(f"{name}: the dict lacks {key!r}")
     angles = (sun.pop("azimuth"), sun.pop("altitude"))
     if only and sun:
-        raise ValueError(f"{name}: a preset's sun has no {sorted(sun)[0]!r}")
+        raise ValueError(f"{name}: a preset's sun has no {shown(next(iter(sun)))}")
     return several(angles, name, (2,), "(azimuth, altitude)")
 
 
@@ -106,11 +106,11 @@ def _set_light(scene, light, name, values):
     for key, value in values.items():
         row = OF_LIGHT.get({"diffuse_color": "color", "switch": "on"}.get(key, key))
         if row is None or (row["key"] == "angularDiameter" and light.GetPositional()):
-            raise TypeError(f"{name}: there is no {key!r}" + suggestion(key, list(OF_LIGHT)))
+            raise TypeError(f"{name}: there is no {shown(key)}" + suggestion(key, list(OF_LIGHT)))
         place = f"{name}: {key}"
         arguments = converted(row, value, place)
         if not np.isfinite(arguments).all():
-            raise ValueError(f"{place}: {value!r} was given, finite numbers are expected")
+            raise ValueError(f"{place}: {shown(value)} was given, finite numbers are expected")
         if row["name"] == "AngularDiameter":
             set_checked(place, scene, "SetAngularDiameter", (light, *arguments))
         else:
@@ -145,11 +145,11 @@ def _moment(name, moment):
     else:
         expected = "(time, longitude, latitude[, convergence])"
         if isinstance(moment, str) or not hasattr(moment, "__len__") or len(moment) not in (3, 4):
-            raise TypeError(f"{name}: {expected} is expected, not {moment!r}")
+            raise TypeError(f"{name}: {expected} is expected, not {shown(moment)}")
         values, refraction = [*moment, 0.0][:4] + [0.0], True
     time = values[0].isoformat() if hasattr(values[0], "isoformat") else values[0]
     if not isinstance(time, str):
-        raise TypeError(f"{name}: a time is an aware datetime or a text, not {time!r}")
+        raise TypeError(f"{name}: a time is an aware datetime or a text, not {shown(time)}")
     degrees = several(values[1:], name, (4,), "a number of degrees")
     return (time, *degrees, refraction), rest
 
@@ -172,7 +172,7 @@ def _add_lamp(scene, name, lamp):
         lamp = rest.pop("position")
     position = several(lamp, name, (3,), "(x, y, z)")
     if not np.isfinite(position).all():
-        raise ValueError(f"{name}: {lamp!r} was given, finite numbers are expected")
+        raise ValueError(f"{name}: {shown(lamp)} was given, finite numbers are expected")
     light = vtkLight()
     light.PositionalOn()
     light.SetPosition(position)
@@ -198,7 +198,7 @@ class Environments:
         array = plain_array(value, "environment")
         if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] > 4) or array.size == 0:
             raise ValueError("environment: an array of (rows, columns) with 1 to 4 components is "
-                             f"expected, its shape is {array.shape}")
+                             f"expected, its shape is {shown(array.shape)}")
         if self._array is None or self._array.dtype != array.dtype or not np.array_equal(
                 self._array, array, equal_nan=array.dtype.kind == "f"):
             self._array = array.copy()

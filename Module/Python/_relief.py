@@ -9,7 +9,8 @@ from . import vtkImageReliefShading
 from ._colors import Colors
 from ._errors import update
 from ._heights import Heights
-from ._keywords import (LAYERS, OF_HEIGHTS, TABLE, check_names, color, flag, kept, number, suggestion)
+from ._keywords import (LAYERS, OF_HEIGHTS, TABLE, check_names, color, flag, kept, number, shown,
+                        suggestion)
 from ._lights import PRESETS, Environments, preset_of
 from ._results import ReliefImage
 from ._scene import set_scene
@@ -37,7 +38,7 @@ class Relief:
         self._filter = vtkImageReliefShading()
         limit = number(cache_memory_limit, "cache_memory_limit", "a number of MiB")
         if not 0.0 <= limit < 2.0 ** 40:
-            raise ValueError(f"cache_memory_limit: {cache_memory_limit!r} was given, a number of MiB "
+            raise ValueError(f"cache_memory_limit: {shown(cache_memory_limit)} was given, a number of MiB "
                              "of at least 0 is expected")
         self._filter.SetCacheMemoryLimit(int(1024 * limit))
         self._environments = Environments()
@@ -103,7 +104,7 @@ class Relief:
         except TypeError:
             kind = None
         if kind not in (np.uint8, np.float32):
-            raise ValueError(f"dtype: {values['dtype']!r} was given, uint8 or float32 is expected")
+            raise ValueError(f"dtype: {shown(values['dtype'])} was given, uint8 or float32 is expected")
         if kind == np.uint8:
             self._filter.SetOutputScalarTypeToUnsignedChar()
         else:
@@ -148,13 +149,13 @@ def _layers(layers, scene):
     try:
         names = [name.lower() for name in layers]
     except (TypeError, AttributeError):
-        raise TypeError(f"layers: names of layers are expected, not {layers!r}") from None
+        raise TypeError(f"layers: names of layers are expected, not {shown(layers)}") from None
     if "all" in names:
         suns = [light for light in scene.GetLights() if not light.GetPositional()]
         lit = suns or not (scene.GetLights().GetNumberOfItems() or scene.GetEnvironment())
         return [name for name in LAYERS if name != "shadow" or lit]
     for name in names:
         if name not in LAYERS:
-            raise ValueError(f"layers: {name!r} was given, names of {', '.join(LAYERS)} are expected"
+            raise ValueError(f"layers: {shown(name)} was given, names of {', '.join(LAYERS)} are expected"
                              + suggestion(name, LAYERS))
     return names

@@ -2,7 +2,7 @@
 """A scene set by keywords."""
 
 from . import vtkReliefScene
-from ._keywords import AUTOMATIC, TABLE, converted, number, set_checked
+from ._keywords import AUTOMATIC, TABLE, converted, number, set_checked, shown
 from ._lights import set_environment, set_lights
 
 
@@ -22,7 +22,7 @@ def set_scene(scene, values, heights, environments):
         value = values.get(name, row["default"])
         if name in AUTOMATIC and isinstance(value, str):
             if value != "auto":
-                raise ValueError(f'{name}: {value!r} was given, a number or "auto" is expected')
+                raise ValueError(f'{name}: {shown(value)} was given, a number or "auto" is expected')
             continue
         owner = scene if row["owner"] == "Scene" else scene.GetMaterial()
         set_checked(name, owner, "Set" + row["name"], converted(row, value, name))
@@ -40,7 +40,7 @@ def _set_automatic(scene, values, heights):
     depth = values.get("depth")
     if isinstance(depth, str):
         if depth != "auto":
-            raise ValueError(f'depth: {depth!r} was given, a number or "auto" is expected')
+            raise ValueError(f'depth: {shown(depth)} was given, a number or "auto" is expected')
         scene.GetMaterial().AutomaticSubsurfaceDepthOn()
     elif depth is not None:
         set_checked("depth", scene.GetMaterial(), "SetSubsurfaceDepth", (number(depth, "depth"),))

@@ -197,6 +197,12 @@ class TestShade(unittest.TestCase):
                 (ValueError, "[Cc]olor", {"diffuse_color": "reddishest"})):
             with self.subTest(str(keywords)), self.assertRaisesRegex(kind, text):
                 rs.shade(dem, **keywords)
+        for i in range(99):
+            dem[f"array {i}"] = dem["z"]
+        for keywords in ({"cmap": "x" * 999}, {"diffuse_color": "x" * 999}, {"scalars": "x" * 999}):
+            with self.subTest(str(list(keywords))), self.assertRaises(ValueError) as raised:
+                rs.shade(dem, **{"scalars": "z", **keywords})
+            self.assertLessEqual(len(str(raised.exception)), 200)
         with self.assertRaisesRegex(ValueError, "drape"):
             rs.update(dem)
 

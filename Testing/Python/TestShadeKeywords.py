@@ -223,6 +223,59 @@ class TestKeywords(unittest.TestCase):
             with self.subTest(shape), self.assertRaisesRegex(ValueError, "heights: "):
                 shade(np.zeros(shape))
 
+    def test_messages_are_short(self):
+        """Whatever is given and however long it is."""
+        class Unshown:
+            def __repr__(self):
+                raise RuntimeError
+
+        values = ("x" * 9999, b"y" * 9999, "line\n" * 99, 10 ** 400, -10 ** 30, 10 ** 9999, 1 << 31,
+                  [[0.5] * 999] * 3, [10 ** 400] * 2, [10 ** 400] * 3, [10 ** 9999] * 4, "n" * 70,
+                  np.zeros((300, 300), complex), np.zeros(3, [("a" * 99 + str(i), float) for i in range(9)]),
+                  np.zeros((1,) * 32), {"a" * 9999: 1}, {"azimuth": 1, "altitude": 2, "b" * 999: 3},
+                  {"position": (1, 2, 3), "intensity": 10 ** 400}, ["z" * 999], ("2026" * 99, 1, 2),
+                  [(10 ** 400, "red")], [(1, "r" * 999)], Unshown(), [Unshown()], ...)
+        heights, refused = hills(12, 10), 0
+        for name in inspect.signature(shade).parameters:
+            for i, value in enumerate(values):
+                try:
+                    if name == "heights":
+                        shade(value)
+                    else:
+                        shade(heights, **{name: value})
+                except (TypeError, ValueError) as error:
+                    refused += 1
+                    with self.subTest(f"{name} {i}"):
+                        self.assertLessEqual(len(str(error)), 200)
+                        self.assertNotIn("\n", str(error))
+                        self.assertIn(name, str(error))
+        self.assertGreater(refused, 1000)
+        with self.assertRaises(TypeError) as raised:
+            shade(heights, **{"n" * 9999: 1})
+        self.assertLess(len(str(raised.exception)), 200)
+
+    def test_large_whole_numbers(self):
+        """Are out of range as others are, and told the range."""
+        heights = hills(12, 10)
+        for row in self.rows():
+            name = self.keyword(row)
+            sky = {"environment": np.ones((4, 8))} if row["owner"] == "Environment" else {}
+            for value in (10 ** 400, -10 ** 400, 1 << 31, -1 - (1 << 31)):
+                if row["kind"] not in ("number", "length", "count", "color"):
+                    continue
+                if row["kind"] != "count" and abs(value) < 10 ** 99:
+                    continue
+                with self.subTest(f"{name} {value.bit_length()}"):
+                    with self.assertRaisesRegex(ValueError, rf"{name}: .* was given, .*expected") as raised:
+                        shade(heights, **{name: value}, **sky)
+                    if math.isfinite(row["minimum"]):
+                        self.assertIn(f"{row['minimum']:.9g}", str(raised.exception))
+        for keywords in ({"nodata": 10 ** 400}, {"spacing": 10 ** 400}, {"sun": (10 ** 400, 45)},
+                         {"lamp": (0, 0, 10 ** 400)}, {"clim": (0, 10 ** 400), "cmap": np.eye(3)},
+                         {"depth": 10 ** 400}, {"background": (0, 0, 10 ** 400), "alpha": False}):
+            with self.subTest(str(list(keywords))), self.assertRaisesRegex(ValueError, "expected"):
+                shade(heights, **keywords)
+
     def test_nothing_is_printed(self):
         program = """if True:
             import numpy as np, reliefshading as r
