@@ -42,7 +42,8 @@ FIXED = (
      'scatter, specular, or "all" (which leaves out shadow where there is no sun)'),
     ("dtype", "uint8", "", "uint8, sRGB-encoded, or float32, linear and neither exposed nor clamped"),
     ("alpha", True, "", "Whether there is a fourth component, which is 0 where there is no data"),
-    ("background", (0.0, 0.0, 0.0), "linear RGB", "Colour where there is no data, of alpha=False"),
+    ("background", (0.0, 0.0, 0.0), "linear RGB", "Colour where there is no data, of alpha=False "
+     "and of files that know no alpha"),
     ("scene", None, "", "A vtkReliefScene to begin with; it is left alone"),
 )
 LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "scatter", "specular")

@@ -80,9 +80,9 @@ class Relief:
         check_names("shade", keywords, OF_HEIGHTS)
         with self._lock:
             values = combined(self._keywords, kept(keywords))
-            background = _background(values)
+            alpha, background = _background(values)
             self._update(values)
-            result = ReliefImage(self._filter, self._heights, background)
+            result = ReliefImage(self._filter, self._heights, background, alpha)
             # The picture belongs to the result, and the next one gets memory of its own.
             self._filter.GetOutput().Initialize()
             return result
@@ -137,10 +137,10 @@ def combined(usual, special):
 
 
 def _background(values):
-    """None, or the background of pictures without alpha."""
+    """Whether there is alpha, and the background of pictures without."""
     alpha = flag(values.get("alpha", True), "alpha")
     background = color(values.get("background", (0.0, 0.0, 0.0)), "background")
-    return None if alpha else background
+    return alpha, background
 
 
 def _layers(layers, scene):

@@ -2,14 +2,22 @@
 """A picture, as NumPy, notebooks and files want it."""
 
 import os
+import re
+import shutil
+import uuid
 
 import numpy as np
 
 from ._arrays import from_image, to_upright_image
 from ._errors import checked
-from ._keywords import LAYERS
+from ._keywords import LAYERS, brief
 
 LARGEST_SHOWN = 2048  # of either side, in a notebook
+# Extensions of formats of linear numbers, of such that hold no others, and of such without alpha.
+LINEAR = (".exr", ".hdr", ".rgbe", ".pfm", ".tif", ".tiff")
+LINEAR_ALONE = (".exr", ".hdr", ".rgbe", ".pfm")
+OPAQUE = (".jpg", ".jpeg", ".jpe", ".jfif", ".jif", ".jfi", ".gif", ".hdr", ".rgbe", ".pfm",
+          ".pnm", ".ppm", ".pgm", ".pbm")
 
 
 class ReliefImage:
@@ -24,12 +32,13 @@ class ReliefImage:
     save(name)   writes a file; notebooks show the picture by themselves
     """
 
-    def __init__(self, shading, heights, background):
+    def __init__(self, shading, heights, background, alpha):
         output = shading.GetOutput()
         points = output.GetPointData()
         self.image = heights.turned(from_image(output, points.GetScalars()))
         self._covered = None
-        if background is not None:
+        self._background = background
+        if not alpha:
             self._covered = self.mask
             self.image = _on_background(self.image, self._covered, background)
         self.layers = {name: heights.turned(from_image(output, points.GetArray(name.capitalize())))
@@ -93,11 +102,7 @@ class ReliefImage:
 
     def encoded(self):
         """The picture in 8 bits, sRGB-encoded, as screens and PNG files have it."""
-        if self.image.dtype == np.uint8:
-            return self.image
-        codes = self.image.copy()
-        codes[..., :3] = encode(codes[..., :3])
-        return (255.0 * np.clip(codes, 0.0, 1.0) + 0.5).astype(np.uint8)
+        return _encoded(self.image)
 
     def _repr_png_(self):
         """For notebooks: of a large picture every second, third ... sample."""
@@ -114,40 +119,80 @@ class ReliefImage:
         return bytes(memoryview(writer.GetResult()))
 
     def save(self, file_name):
-        """Writes the picture, its first row on top. PNG, JPEG and BMP are in 8 bits; other formats
-        (TIFF, OpenEXR ...) have the numbers as they are. All but PNG and TIFF need the package's room
-        for image files; JPEG and others that know no alpha want alpha=False."""
-        name = os.fspath(file_name)
+        """Writes the picture, its first row on top.
+
+        OpenEXR, Radiance (.hdr) and PFM hold float32 pictures, linear; TIFF has the numbers as they are;
+        PNG, JPEG and all others are in 8 bits, sRGB-encoded. JPEG, GIF and others that know no alpha
+        get the background where there is no data. All but PNG and TIFF need the package's room for
+        image files. The file is there when it is whole: after an error one that
+        was there before is as it was.
+        """
+        name = os.fsdecode(file_name)
         extension = os.path.splitext(name)[1].lower()
         array = self.image
-        if extension in (".png", ".jpg", ".jpeg", ".bmp", ".gif", ".webp"):
-            array = self.encoded()
-        elif extension in (".exr", ".hdr") and array.dtype == np.uint8:
+        if extension in LINEAR_ALONE and array.dtype == np.uint8:
             raise ValueError(f"{extension} holds linear numbers: shade with dtype=\"float32\"")
-        writer = _writer(extension)
-        writer.SetFileName(name)
-        writer.SetInputData(to_upright_image(array))
-        folder = os.path.dirname(name) or "."
-        if not os.path.isdir(folder):
-            raise FileNotFoundError(f"{name}: there is no folder {folder}")
-        try:
+        # WebP itself drops alpha that is full everywhere, which its writer takes for a loss.
+        if array.shape[2] == 4 and (extension in OPAQUE or (
+                extension == ".webp" and self.mask.all())):
+            array = _on_background(array, self.mask, self._background)
+        if extension not in LINEAR:
+            array = _encoded(array)
+        place = os.path.realpath(name)  # of what a link is of
+        if not os.path.isdir(os.path.dirname(place)):
+            raise FileNotFoundError(f"{brief(name, 140)}: there is no such folder")
+        if os.path.isdir(place):
+            raise IsADirectoryError(f"{brief(name, 140)}: a file's name is expected, this is a folder")
+        if os.path.exists(place) and not os.access(place, os.W_OK):
+            raise PermissionError(f"{brief(name, 140)}: the file there is read-only")
+        _write_whole(name, place, extension, array)
+
+
+def _write_whole(name, place, extension, array):
+    """Writes beside the place, and takes the place when all is written."""
+    staged = os.path.join(os.path.dirname(place),
+                          f".{uuid.uuid4().hex[:12]}.tmp{os.path.splitext(place)[1] or extension}")
+    try:
+        if extension == ".png":
+            # From memory: its library prints what is wrong with a disk.
+            with open(staged, "xb") as file:
+                file.write(ReliefImage._png(array))
+        else:
+            writer = _writer(extension)
+            writer.SetFileName(os.fsencode(staged))
+            writer.SetInputData(to_upright_image(array))
             checked(writer, writer.Write)
-        except RuntimeError as error:
-            raise OSError(f"{name}: {error}" if name not in str(error) else str(error)) from None
-        if writer.GetErrorCode():
-            raise OSError(f"{name} cannot be written")
+            if writer.GetErrorCode() or not os.path.exists(staged):
+                raise OSError("its writer does not tell why")
+        if os.path.exists(place):
+            shutil.copymode(place, staged)
+        os.replace(staged, place)
+    except (OSError, RuntimeError) as error:
+        told = getattr(error, "strerror", None) or str(error)
+        raise OSError(_why(told.replace(staged, name), name, array)) from None
+    finally:
+        if os.path.exists(staged):
+            os.remove(staged)
+
+
+def _why(text, name, array):
+    """A writer's message, without what is of its setters."""
+    text = re.sub(r"\ACannot write \".*?\": ", "", text.strip())
+    text = re.sub(r"[.;] (what it would|Set a PixelType).*", "", text, flags=re.DOTALL).rstrip(".")
+    more = "; shade with alpha=False" if "components" in text and array.shape[2] == 4 else ""
+    return f"{brief(name, 70)} cannot be written: {brief(text, 80 if more else 105)}{more}"
 
 
 def _writer(extension):
     import reliefshading
-    from vtkmodules.vtkIOImage import vtkPNGWriter, vtkTIFFWriter
-    if extension == ".png":
-        return vtkPNGWriter()
+    from vtkmodules.vtkIOImage import vtkTIFFWriter
     if "vtkOpenImageIOWriter" in reliefshading.__all__:
-        return reliefshading.vtkOpenImageIOWriter()
+        writer = reliefshading.vtkOpenImageIOWriter()
+        writer.StagingOff()
+        return writer
     if extension in (".tif", ".tiff"):
         return vtkTIFFWriter()
-    raise ValueError(f"{extension or 'a file without an extension'} cannot be written by this build; "
+    raise ValueError(f"{brief(extension) or 'a file without an extension'} cannot be written by this build; "
                      ".png and .tif can")
 
 
@@ -155,6 +200,15 @@ def encode(linear):
     """sRGB codes from 0 to 1 of linear numbers, which are clamped."""
     linear = np.clip(linear, 0.0, 1.0)
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
+
+
+def _encoded(array):
+    """A picture's numbers in 8 bits."""
+    if array.dtype == np.uint8:
+        return array
+    codes = array.copy()
+    codes[..., :3] = encode(codes[..., :3])
+    return (255.0 * np.clip(codes, 0.0, 1.0) + 0.5).astype(np.uint8)
 
 
 def _on_background(image, covered, background):

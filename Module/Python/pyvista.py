@@ -45,7 +45,7 @@ def read(file_name, *, spacing=None, georeference=False):
     that of the map in metres. georeference: whether the place on the map stays as field data, for
     vtkReliefRasterWriter; other attributes of the file are left out.
     """
-    name = os.fspath(file_name)
+    name = os.fsdecode(file_name)
     kinds = reliefshading.__all__
     if "vtkReliefRasterReader" in kinds:
         reader = reliefshading.vtkReliefRasterReader()
@@ -53,7 +53,7 @@ def read(file_name, *, spacing=None, georeference=False):
         reader = reliefshading.vtkOpenImageIOReader()
     else:
         raise RuntimeError("this build of reliefshading reads no files")
-    reader.SetFileName(name)
+    reader.SetFileName(os.fsencode(name))
     if spacing is not None:
         pair = spacing if hasattr(spacing, "__len__") else (spacing, spacing)
         pair = several(pair, "spacing", (2, 3), "a number or a pair (dx, dy)")

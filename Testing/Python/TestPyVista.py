@@ -265,6 +265,7 @@ class TestRead(unittest.TestCase):
         self.assertIn("geo:transform", place.field_data)
         self.assertEqual(rs.read(TERRAIN, spacing=(30, 40)).spacing, (30.0, 40.0, 1.0))
         self.assertEqual(rs.read(TERRAIN, spacing=30).spacing, (30.0, 30.0, 1.0))
+        self.assertEqual(rs.read(os.fsencode(TERRAIN)).dimensions, (403, 344, 1))
         with self.assertRaisesRegex(RuntimeError, "missing.tif"):
             rs.read("missing.tif")
 

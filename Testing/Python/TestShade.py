@@ -3,6 +3,8 @@
 
 import os
 import pickle
+import subprocess
+import sys
 import tempfile
 import unittest
 import warnings
@@ -16,6 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkLight
 
+FILES = "vtkOpenImageIOReader" in reliefshading.__all__
 LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "scatter", "specular")
 
 
@@ -437,6 +440,147 @@ class TestResults(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "float32"):
                 result.save(os.path.join(folder, "picture.exr"))
             self.assertEqual(sorted(os.listdir(folder)), ["picture.png", "picture.tif"])
+
+    def read(self, name):
+        reader = reliefshading.vtkOpenImageIOReader()
+        reader.SetFileName(name)
+        reliefshading.update(reader)
+        columns, rows, _ = reader.GetOutput().GetDimensions()
+        values = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        return values.reshape(rows, columns, -1)[::-1]
+
+    @unittest.skipUnless(FILES, "no files in this build")
+    def test_files_without_alpha(self):
+        """They get the background where there is no data."""
+        heights = hills(64, 64)
+        heights[:32] = np.nan
+        orange = np.array((255, 128, 0))
+        for dtype in ("uint8", "float32"):
+            picture = shade(heights, background="#ff8000", dtype=dtype)
+            opaque = shade(heights, background="#ff8000", alpha=False, dtype=dtype)
+            with tempfile.TemporaryDirectory() as folder:
+                for extension in ("jpg", "JPEG", "gif", "ppm"):
+                    with self.subTest(f"{extension} {dtype}"):
+                        name = os.path.join(folder, f"picture.{extension}")
+                        picture.save(name)
+                        got = self.read(name)
+                        self.assertTrue((got[..., 3:] == 255).all())
+                        self.assertLess(abs(got[8:24, :, :3] - orange).max(), 8)
+                        opaque.save(os.path.join(folder, f"opaque.{extension}"))
+                        np.testing.assert_array_equal(
+                            got, self.read(os.path.join(folder, f"opaque.{extension}")))
+                if dtype == "float32":
+                    name = os.path.join(folder, "picture.hdr")
+                    picture.save(name)
+                    np.testing.assert_allclose(self.read(name), opaque.image, atol=0.01)
+                # It holds alpha.
+                name = os.path.join(folder, "picture.webp")
+                picture.save(name)
+                np.testing.assert_array_equal(self.read(name)[..., 3] != 0, picture.mask)
+        self.assertEqual(picture.shape, (64, 64, 4))
+
+    @unittest.skipUnless(FILES, "no files in this build")
+    def test_files_of_linear_pictures(self):
+        picture = shade(hills(), dtype="float32")
+        with tempfile.TemporaryDirectory() as folder:
+            for extension in ("exr", "tif", "tiff"):
+                name = os.path.join(folder, f"picture.{extension}")
+                picture.save(name)
+                np.testing.assert_array_equal(self.read(name), picture.image)
+            for extension in ("png", "tga", "bmp", "jp2", "webp", "sgi"):
+                with self.subTest(extension):
+                    name = os.path.join(folder, f"picture.{extension}")
+                    picture.save(name)
+                    got = self.read(name)
+                    self.assertEqual(got.dtype, np.uint8)
+                    self.assertLess(abs(got.astype(int) - picture.encoded()[..., :got.shape[2]]).mean(), 3)
+
+    def test_names_of_files(self):
+        picture = shade(hills())
+        with tempfile.TemporaryDirectory() as folder:
+            for name in (b"bytes.png", b"bytes.tif", "Stra\u00dfe.tif".encode(), b"bytes \xff.png",
+                         b"bytes \xff.tif"):
+                path = os.path.join(os.fsencode(folder), name)
+                try:
+                    open(path, "wb").close()
+                except OSError:
+                    continue  # a file system of Unicode's names alone
+                with self.subTest(name):
+                    picture.save(path)
+                    self.assertGreater(os.path.getsize(path), 99)
+                os.remove(path)
+            with self.assertRaises(TypeError):
+                picture.save(3)
+            long = os.path.join(folder, "n" * 240 + ".png")
+            picture.save(long)
+            self.assertEqual(os.listdir(folder), [os.path.basename(long)])
+
+    @unittest.skipIf(os.name == "nt", "links and permissions are of Unix")
+    def test_files_that_are_replaced(self):
+        """A link is followed, and permissions stay."""
+        with tempfile.TemporaryDirectory() as folder:
+            name, link = os.path.join(folder, "picture.png"), os.path.join(folder, "link.png")
+            picture = shade(hills())
+            picture.save(name)
+            usual = os.path.join(folder, "usual")
+            open(usual, "wb").close()
+            self.assertEqual(os.stat(name).st_mode, os.stat(usual).st_mode)
+            os.chmod(name, 0o640)
+            os.symlink("picture.png", link)
+            other = shade(hills(), sun=(90, 20))
+            other.save(link)
+            self.assertTrue(os.path.islink(link))
+            with open(name, "rb") as file:
+                self.assertEqual(file.read(), other._repr_png_())
+            self.assertEqual(os.stat(name).st_mode & 0o777, 0o640)
+            os.mkdir(os.path.join(folder, "folder.png"))
+            with self.assertRaisesRegex(OSError, "folder"):
+                picture.save(os.path.join(folder, "folder.png"))
+
+    @unittest.skipUnless(sys.platform == "linux", "a file's size cannot be limited")
+    def test_files_that_cannot_be_written(self):
+        """The old ones stay, nothing is printed, and nothing else is left."""
+        program = """if True:
+            import os, resource, signal, sys, numpy as np, reliefshading as r
+            from reliefshading import _results
+            from vtkmodules.vtkIOImage import vtkTIFFWriter
+            os.chdir(sys.argv[1])
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            picture = r.shade(np.random.default_rng(1).random((300, 300)))
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20000, resource.RLIM_INFINITY))
+            files = "vtkOpenImageIOWriter" in r.__all__
+            own = _results._writer
+            for name in ["a.png", "a.tif", "b.tif"] + ["a.jpg", "a.webp", "a.tga"] * files:
+                with open(name, "w") as file:
+                    file.write("old")
+                _results._writer = (lambda _: vtkTIFFWriter()) if name == "b.tif" else own
+                try:
+                    picture.save(name)
+                except OSError as error:
+                    text = str(error)
+                    assert name in text and len(text) <= 200 and ".tmp" not in text, text
+                else:
+                    raise AssertionError(name)
+                assert open(name).read() == "old", name
+                os.remove(name)
+                assert not os.listdir("."), os.listdir(".")
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            result = subprocess.run([sys.executable, "-c", program, folder], capture_output=True,
+                                    text=True, check=False)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_messages_of_files(self):
+        """They are short, and tell nothing of setters."""
+        picture = shade(hills())
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.xyz", "a", "a.exr", "a.hdr", "a.pfm", "a.zfile", "a." + "x" * 200, "a.iff",
+                         os.path.join("none" * 20, "a.png")):
+                with self.subTest(name), self.assertRaises((OSError, ValueError)) as raised:
+                    picture.save(os.path.join(folder, name))
+                self.assertLessEqual(len(str(raised.exception)), 200)
+                self.assertNotRegex(str(raised.exception), r"Set|PixelType|\.tmp")
+            self.assertEqual(os.listdir(folder), [])
 
 
 if __name__ == "__main__":
