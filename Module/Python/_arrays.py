@@ -82,13 +82,15 @@ def read_heights(heights):
 def read_mask(mask, shape, covered):
     """Bytes that are 0 where there is no data, or None."""
     if mask is not None:
-        mask = flat_shape(np.asarray(mask), "mask")
+        mask = flat_shape(np.ma.asanyarray(mask), "mask")
         if mask.dtype.kind not in "biuf":
             raise TypeError(f"mask: an array of bools or numbers is expected, not of "
                             f"{brief(str(mask.dtype))}")
         if mask.shape != shape:
             raise ValueError(f"mask: the shape is {mask.shape}, that of the heights is {shape}")
-        mask = (mask != 0) & (mask == mask)  # NaN is no data
+        # What a masked array masks is no data, and so is NaN.
+        mask = np.ma.filled(mask, 0)
+        mask = (mask != 0) & (mask == mask)
     if covered is not None:
         mask = covered if mask is None else mask & covered
     return None if mask is None else np.ascontiguousarray(mask).view(np.uint8)

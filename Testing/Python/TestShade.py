@@ -216,6 +216,10 @@ class TestShade(unittest.TestCase):
                 "masked array": (masked, {}),
                 "mask": (heights, {"mask": ~hole}),
                 "numbers": (heights, {"mask": np.where(hole, 0.0, 7.0)}),
+                "masked mask": (heights, {"mask": np.ma.array(np.ones(heights.shape, bool), mask=hole)}),
+                "masked numbers": (heights, {"mask": np.ma.array(
+                    np.full(heights.shape, 7.0), mask=hole & (heights > 30),
+                ) * ~(hole & (heights <= 30))}),
                 "NaN in the mask": (heights, {"mask": np.where(hole, np.nan, 1.0)}),
                 "both": (np.ma.array(heights, mask=hole & (heights > 30)),
                          {"mask": ~hole | (heights > 30)}),
