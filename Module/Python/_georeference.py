@@ -29,6 +29,9 @@ class Georeference:
 
     def __init__(self, array, measure=True):
         """Without measure, coordinates tell the way alone, and may be uneven."""
+        if array.size == 0:
+            raise ValueError(f"heights: the array is empty, its shape is {shown(array.shape)}; at least one "
+                             "row and one column are expected")
         self.y, self.x = _dimensions(array)
         self.crs = _crs_of(array)
         xs, ys = (_coordinates(array, name) for name in (self.x, self.y))

@@ -14,7 +14,7 @@ import numpy as np
 import xarray as xr
 
 from ._georeference import Georeference
-from ._keywords import OF_HEIGHTS, check_names
+from ._keywords import OF_HEIGHTS, brief, check_names, shown
 from ._relief import Relief
 
 __all__ = ["ReliefAccessor"]
@@ -76,7 +76,7 @@ class ArrayRelief:
             keywords["spacing"] = place.spacing
         keywords.setdefault("nodata", place.nodata)
         if keywords.get("mask") is not None:
-            keywords["mask"] = self._turned(keywords["mask"])
+            keywords["mask"] = self._turned(self._mask_of(keywords["mask"]))
         self.relief = Relief(self._turned(array), **self._placed(keywords))
 
     def shade(self, **keywords):
@@ -93,13 +93,31 @@ class ArrayRelief:
             named[name] = self._back(values, name, extra)
         return xr.Dataset(named)
 
+    def _mask_of(self, mask):
+        """A mask as an array of xarray with the dimensions of the heights."""
+        wanted = {name: self._array.sizes[name] for name in (self._map.y, self._map.x)}
+        if isinstance(mask, xr.DataArray):
+            sizes = {name: size for name, size in mask.sizes.items() if size != 1 or name in wanted}
+            if sizes != wanted:
+                raise ValueError(f"mask: {_sizes(mask.sizes)} was given, {_sizes(wanted)} is expected, "
+                                 "the dimensions of the heights")
+            return mask.isel({name: 0 for name in mask.dims if name not in wanted})
+        mask = mask if isinstance(mask, np.ma.MaskedArray) else np.asarray(mask)
+        # As the heights lie in their own array, or as rows and columns.
+        own = [name for name in self._array.dims if name in wanted]
+        for names in (self._array.dims, own, list(wanted)):
+            if mask.shape == tuple(self._array.sizes[name] for name in names):
+                # xarray knows no masked arrays; one without the mask's own is as good.
+                mask = xr.DataArray(np.ma.filled(mask, False), dims=names)
+                return mask.isel({name: 0 for name in names if name not in wanted})
+        raise ValueError(f"mask: the shape is {shown(mask.shape)}, {shown(self._array.shape)} is expected, "
+                         "that of the heights")
+
     def _turned(self, array):
         """NumPy's array of heights or of a mask, the north on top."""
-        if isinstance(array, xr.DataArray):
-            one = {name: 0 for name in array.dims if name in self._one}
-            array = array.isel(one).transpose(self._map.y, self._map.x).data
-            array = array.compute() if hasattr(array, "compute") else array
-        array = array if isinstance(array, np.ma.MaskedArray) else np.asarray(array)
+        one = {name: 0 for name in array.dims if name in self._one}
+        array = array.isel(one).transpose(self._map.y, self._map.x).data
+        array = np.asarray(array.compute() if hasattr(array, "compute") else array)
         return array[::-1 if self._map.flip_y else 1, ::-1 if self._map.flip_x else 1]
 
     def _back(self, values, name, extra):
@@ -124,3 +142,7 @@ class ArrayRelief:
             if "height_scale" in keywords or not hasattr(self, "relief"):
                 keywords["height_scale"] = unit * keywords.get("height_scale", 1.0)
         return keywords
+
+
+def _sizes(sizes):
+    return brief("(" + ", ".join(f"{name}: {size}" for name, size in sizes.items()) + ")")

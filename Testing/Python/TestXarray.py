@@ -159,6 +159,54 @@ class TestXarray(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "did you mean"):
             on_map(heights(), self.XS, self.YS).relief.shade(dept=3)
 
+    def test_empty_arrays(self):
+        for shape in ((0, 50), (40, 0), (0, 0)):
+            empty = on_map(np.zeros(shape), self.XS[:shape[1]], self.YS[:shape[0]])
+            plain = xr.DataArray(np.zeros(shape), dims=("rows", "columns"))
+            for array in (empty, plain, empty.expand_dims("band"), empty.transpose("x", "y")):
+                with self.subTest(str(array.sizes)):
+                    with self.assertRaisesRegex(ValueError, r"\Aheights: .*empty, its shape is .*expected"):
+                        array.relief.shade()
+                    with self.assertRaisesRegex(ValueError, r"\Aheights: "):
+                        array.relief.spacing
+        for array in (xr.DataArray(3.0), xr.DataArray(np.zeros(3), dims="x")):
+            with self.assertRaisesRegex(ValueError, r"\Aheights: two dimensions are expected"):
+                array.relief.shade()
+
+    def test_masks(self):
+        """Have the heights' dimensions or their shape; others are told what is expected."""
+        dem = on_map(heights(), self.XS, self.YS[::-1])
+        mask = np.ones((40, 50), bool)
+        mask[:9, 30:] = False
+        expected = dem.relief.shade(mask=mask)
+        np.testing.assert_array_equal(expected[..., 3] != 0, mask)
+        labelled = xr.DataArray(mask, dims=("y", "x"))
+        for name, other in {"of xarray": labelled, "across": labelled.transpose("x", "y"),
+                            "with a band": labelled.expand_dims("band"), "numbers": mask.astype("u1"),
+                            "masked": np.ma.array(np.ones((40, 50), bool), mask=~mask),
+                            "a list": mask.tolist()}.items():
+            with self.subTest(name):
+                np.testing.assert_array_equal(dem.relief.shade(mask=other), expected)
+        band = dem.expand_dims("band")
+        for other in (mask, mask[np.newaxis], labelled):
+            np.testing.assert_array_equal(band.relief.shade(mask=other), expected)
+        across = dem.transpose("x", "y")
+        for other in (mask, mask.T, labelled):
+            np.testing.assert_array_equal(across.relief.shade(mask=other), expected)
+        for other in (True, np.ones(40), np.ones((39, 50)), np.ones((50, 40)), np.ones((2, 40, 50)),
+                      np.ones((0, 0)), np.ma.array(np.ones(3))):
+            with self.subTest(np.shape(other)), self.assertRaisesRegex(
+                    ValueError, r"\Amask: the shape is .*, \(40, 50\) is expected"):
+                dem.relief.shade(mask=other)
+        for other in (labelled.rename(x="lon"), labelled.isel(x=0), labelled.isel(y=slice(3)),
+                      labelled.isel(y=slice(0)), labelled.expand_dims(time=3),
+                      labelled.isel(x=slice(1))):
+            with self.subTest(str(other.sizes)), self.assertRaisesRegex(
+                    ValueError, r"\Amask: .* was given, \(y: 40, x: 50\) is expected"):
+                dem.relief.shade(mask=other)
+        with self.assertRaisesRegex(TypeError, r"\Amask: "):
+            dem.relief.shade(mask=np.full((40, 50), "a"))
+
     @unittest.skipUnless(pyproj, "pyproj is not installed")
     def test_maps(self):
         # At 60 degrees north the metres of Web Mercator are about half a metre long.
