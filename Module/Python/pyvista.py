@@ -23,11 +23,12 @@ import pyvista as pv
 
 import reliefshading
 
+from ._arrays import read_spacing
 from ._colors import Colors
 from ._datasets import Source, look_of
 from ._errors import update as update_algorithm
 from ._heights import Heights
-from ._keywords import LAYERS, OF_HEIGHTS, check_names, kept, several
+from ._keywords import LAYERS, OF_HEIGHTS, check_names, kept
 from ._lights import Environments
 from ._relief import Relief, combined
 from ._scene import set_scene
@@ -46,6 +47,9 @@ def read(file_name, *, spacing=None, georeference=False):
     vtkReliefRasterWriter; other attributes of the file are left out.
     """
     name = os.fsdecode(file_name)
+    if spacing is not None:
+        # That of another image has a third number.
+        spacing = read_spacing(spacing[:2] if np.shape(spacing) == (3,) else spacing)
     kinds = reliefshading.__all__
     if "vtkReliefRasterReader" in kinds:
         reader = reliefshading.vtkReliefRasterReader()
@@ -55,9 +59,7 @@ def read(file_name, *, spacing=None, georeference=False):
         raise RuntimeError("this build of reliefshading reads no files")
     reader.SetFileName(os.fsencode(name))
     if spacing is not None:
-        pair = spacing if hasattr(spacing, "__len__") else (spacing, spacing)
-        pair = several(pair, "spacing", (2, 3), "a number or a pair (dx, dy)")
-        reader.SetDataSpacing(*pair[:2], 1.0)
+        reader.SetDataSpacing(*spacing, 1.0)
     update_algorithm(reader)
     image = pv.ImageData(reader.GetOutput())
     heights = image.GetPointData().GetScalars()
@@ -66,7 +68,7 @@ def read(file_name, *, spacing=None, georeference=False):
     image.clear_data()
     image.GetPointData().SetScalars(heights)
     if spacing is not None:
-        image.spacing = (*pair[:2], 1.0)
+        image.spacing = (*spacing, 1.0)
     if georeference and spacing is None:
         for key, value in field.items():
             image.field_data[key] = value

@@ -265,6 +265,14 @@ class TestRead(unittest.TestCase):
         self.assertIn("geo:transform", place.field_data)
         self.assertEqual(rs.read(TERRAIN, spacing=(30, 40)).spacing, (30.0, 40.0, 1.0))
         self.assertEqual(rs.read(TERRAIN, spacing=30).spacing, (30.0, 30.0, 1.0))
+        self.assertEqual(rs.read(TERRAIN, spacing=(30, 40, 1)).spacing, (30.0, 40.0, 1.0))
+        for spacing in (0, -1, (30, -30), (0, 30), float("nan"), (1, float("inf")), 10 ** 400, (1, 2, 3, 4),
+                        (), "wide", (30, None)):
+            with self.subTest(str(spacing)[:30]), self.assertRaisesRegex(
+                    (TypeError, ValueError), r"\Aspacing: .*expected") as raised:
+                rs.read(TERRAIN, spacing=spacing)
+            if np.ndim(spacing) == 0 and not isinstance(spacing, str):
+                self.assertIsInstance(raised.exception, ValueError)
         self.assertEqual(rs.read(os.fsencode(TERRAIN)).dimensions, (403, 344, 1))
         with self.assertRaisesRegex(RuntimeError, "missing.tif"):
             rs.read("missing.tif")
