@@ -146,13 +146,19 @@ class raise_errors:  # noqa: N801  it is used as a function
     Read() of all classes of the package raise a RuntimeError (or MemoryError) with the first error of
     the object or of whatever comes before it in its pipeline; warnings become a ReliefWarning. As a
     context it ends with its block, else with stop(). It holds for all threads, and for objects that
-    were made before. During Update() other threads run, as with reliefshading.update().
+    were made before. To enter it again begins anew. During Update() other threads run, as with reliefshading.update().
     """
 
     def __init__(self):
+        self._active, self._depth = False, 0
+        self._begin()
+
+    def _begin(self):
         global _wishes
-        self._active = True
         with _lock:
+            if self._active:
+                return
+            self._active = True
             _wishes += 1
             if _wishes == 1:
                 for name, module in list(sys.modules.items()):
@@ -171,10 +177,16 @@ class raise_errors:  # noqa: N801  it is used as a function
                 _pipeline.set_method(*_replaced.pop())
 
     def __enter__(self):
+        with _lock:
+            self._depth += 1
+            self._begin()
         return self
 
     def __exit__(self, *_):
-        self.stop()
+        with _lock:
+            self._depth -= 1
+            if not self._depth:
+                self.stop()
 
 
 def module_is_loaded(module):

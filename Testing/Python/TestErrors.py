@@ -148,6 +148,34 @@ class TestErrors(unittest.TestCase):
         shading.Modified()
         shading.Update()
 
+    def test_raise_errors_again(self):
+        shading = shading_of(image(components=2))
+        shading.AddObserver("ErrorEvent", lambda *_: None)
+
+        def raises():
+            shading.Modified()
+            try:
+                shading.Update()
+            except RuntimeError:
+                return True
+            return False
+
+        errors = raise_errors()
+        errors.stop()
+        for _ in range(3):
+            self.assertFalse(raises())
+            with errors as entered:
+                self.assertIs(entered, errors)
+                self.assertTrue(raises())
+                with errors:
+                    self.assertTrue(raises())
+                self.assertTrue(raises())
+        self.assertFalse(raises())
+        with errors:
+            errors.stop()
+            self.assertFalse(raises())
+        self.assertFalse(raises())
+
     def test_raise_errors_in_classes_that_are_loaded_later(self):
         program = """if True:
             import reliefshading
