@@ -139,7 +139,10 @@ def combined(usual, special):
 def _background(values):
     """Whether there is alpha, and the background of pictures without."""
     alpha = flag(values.get("alpha", True), "alpha")
-    background = color(values.get("background", (0.0, 0.0, 0.0)), "background")
+    value = values.get("background", (0.0, 0.0, 0.0))
+    background = color(value, "background")
+    if not all(0.0 <= number <= 1.0 for number in background):
+        raise ValueError(f"background: {shown(value)} was given, linear RGB from 0 to 1 is expected")
     return alpha, background
 
 
