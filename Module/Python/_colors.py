@@ -31,7 +31,7 @@ class Colors:
         if clim is not None and (cmap is None or isinstance(cmap, vtkScalarsToColors)):
             raise ValueError(f"clim: {'there is no cmap' if cmap is None else 'the table has its own'}")
         host.SetLookupTable(None if cmap is None else to_table(
-            cmap, lambda: self._find_limits(clim, heights)))
+            cmap, lambda: self._find_limits(clim, heights), clim is not None))
 
     def _find_limits(self, clim, heights):
         if clim is not None:
@@ -83,8 +83,9 @@ def _bottom(dtype):
     return -np.inf if dtype.kind == "f" else np.iinfo(dtype).min
 
 
-def to_table(cmap, limits):
-    """A table of VTK from a colormap; limits is a function that tells its ends."""
+def to_table(cmap, limits, limited=False):
+    """A table of VTK from a colormap; limits is a function that tells its ends, which were given if
+    limited."""
     if isinstance(cmap, vtkScalarsToColors):
         return cmap
     if isinstance(cmap, str):
@@ -93,6 +94,9 @@ def to_table(cmap, limits):
         return _sampled(cmap, limits())
     pairs = _stops(cmap)
     if pairs is not None:
+        if limited:
+            raise ValueError("clim: the pairs of cmap have heights of their own; leave clim out, or give "
+                             "colours alone")
         return _between(pairs)
     array = np.asarray(cmap)
     if array.ndim != 2 or array.shape[1] not in (3, 4) or len(array) == 0 or (

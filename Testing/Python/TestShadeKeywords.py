@@ -217,6 +217,8 @@ class TestKeywords(unittest.TestCase):
             (ValueError, "there is no cmap", {"clim": (0, 1)}),
             (ValueError, "clim", {"clim": (1, 1), "cmap": np.eye(3)}),
             (ValueError, "clim: the table", {"clim": (0, 1), "cmap": vtkLookupTable()}),
+            (ValueError, "clim: the pairs", {"clim": (0, 1), "cmap": [(0, "black"), (9, (1, 1, 1))]}),
+            (ValueError, "clim: the pairs", {"clim": (0, 1), "cmap": iter([(0, "black"), (9, "red")])}),
             (TypeError, "cmap", {"cmap": 3}),
             (TypeError, "scene", {"scene": 3}),
             (TypeError, "alpha", {"alpha": 0}),
