@@ -141,7 +141,7 @@ def _background(values):
     alpha = flag(values.get("alpha", True), "alpha")
     value = values.get("background", (0.0, 0.0, 0.0))
     background = color(value, "background")
-    if not all(0.0 <= number <= 1.0 for number in background):
+    if not all(0.0 <= component <= 1.0 for component in background):
         raise ValueError(f"background: {shown(value)} was given, linear RGB from 0 to 1 is expected")
     return alpha, background
 
