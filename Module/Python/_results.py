@@ -180,7 +180,8 @@ def _why(text, name, array):
     text = re.sub(r"\ACannot write \".*?\": ", "", text.strip())
     text = re.sub(r"[.;] (what it would|Set a PixelType).*", "", text, flags=re.DOTALL).rstrip(".")
     more = "; shade with alpha=False" if "components" in text and array.shape[2] == 4 else ""
-    return f"{brief(name, 70)} cannot be written: {brief(text, 80 if more else 105)}{more}"
+    begin = f"{brief(name, 70)} cannot be written: "
+    return begin + brief(text, 200 - len(begin) - len(more)) + more
 
 
 def _writer(extension):
