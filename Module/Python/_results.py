@@ -124,8 +124,8 @@ class ReliefImage:
         OpenEXR, Radiance (.hdr) and PFM hold float32 pictures, linear; TIFF has the numbers as they are;
         PNG, JPEG and all others are in 8 bits, sRGB-encoded. JPEG, GIF and others that know no alpha
         get the background where there is no data. All but PNG and TIFF need the package's room for
-        image files. The file is there when it is whole: after an error one that
-        was there before is as it was.
+        image files. The file is there when it is whole: after an error one that was there before is as
+        it was.
         """
         name = os.fsdecode(file_name)
         extension = os.path.splitext(name)[1].lower()
@@ -150,8 +150,7 @@ class ReliefImage:
 
 def _write_whole(name, place, extension, array):
     """Writes beside the place, and takes the place when all is written."""
-    staged = os.path.join(os.path.dirname(place),
-                          f".{uuid.uuid4().hex[:12]}.tmp{os.path.splitext(place)[1] or extension}")
+    staged = os.path.join(os.path.dirname(place), f".{uuid.uuid4().hex[:12]}.tmp{extension}")
     try:
         if extension == ".png":
             # From memory: its library prints what is wrong with a disk.

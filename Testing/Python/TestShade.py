@@ -537,6 +537,11 @@ class TestResults(unittest.TestCase):
             with open(name, "rb") as file:
                 self.assertEqual(file.read(), other._repr_png_())
             self.assertEqual(os.stat(name).st_mode & 0o777, 0o640)
+            # The format is that of the name that was given.
+            os.symlink("picture.png", os.path.join(folder, "link.tif"))
+            other.save(os.path.join(folder, "link.tif"))
+            with open(name, "rb") as file:
+                self.assertIn(file.read(2), (b"II", b"MM"))
             os.mkdir(os.path.join(folder, "folder.png"))
             with self.assertRaisesRegex(OSError, "folder"):
                 picture.save(os.path.join(folder, "folder.png"))
