@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,18 +50,79 @@ bool IsIndex(std::int64_t index, std::size_t count)
   return index >= 0 && static_cast<std::uint64_t>(index) < count;
 }
 
+// Throws a Failure where it is none, or nested deeper than any glTF: jsoncpp ends that by itself.
+Json::Value ParseJson(const std::string& text)
+{
+  Json::Value root;
+  std::string wrong;
+  try
+  {
+    const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
+    if (!reader->parse(text.data(), text.data() + text.size(), &root, &wrong))
+    {
+      Refuse("it cannot be read as JSON: " + OneLine(wrong));
+    }
+  }
+  catch (const Json::Exception& exception)
+  {
+    Refuse("it cannot be read as JSON: " + OneLine(exception.what()));
+  }
+  return root;
+}
+
+// All of the file, or of a binary one the first chunk.
+Json::Value ReadJson(const std::string& fileName, bool binary)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (binary)
+  {
+    constexpr std::size_t begin = 20;
+    std::uint64_t length = 0;
+    for (std::size_t k = 0; k < 4 && text.size() >= begin; ++k)
+    {
+      length |= static_cast<std::uint64_t>(static_cast<unsigned char>(text[12 + k])) << (8 * k);
+    }
+    if (text.size() < begin || length > text.size() - begin)
+    {
+      RefuseEnd("it ends early: its JSON is not all there");
+    }
+    text = text.substr(begin, static_cast<std::size_t>(length));
+  }
+  return ParseJson(text);
+}
+
+// Of the extensions that a file cannot do without, only those that leave the polygons as they are.
+void CheckExtensions(const Json::Value& root)
+{
+  if (!root.isObject())
+  {
+    Refuse("it is no glTF: its JSON is no object");
+  }
+  const Json::Value& required = root["extensionsRequired"];
+  if (!required.isNull() && !required.isArray())
+  {
+    Refuse("its extensionsRequired is no list");
+  }
+  for (const Json::Value& extension : required)
+  {
+    const std::string name = extension.isString() ? extension.asString() : "(no name)";
+    if (name != "KHR_texture_transform" && name != "KHR_lights_punctual" &&
+      name.compare(0, 14, "KHR_materials_") != 0)
+    {
+      Refuse("it needs " + Shortened(name) + ", which is not read; export it without");
+    }
+  }
+}
+
 //------------------------------------------------------------------------------
 // How long each buffer is, which must be there: inside the file, beside it, or as text.
 std::vector<std::int64_t> FindBuffers(
   const std::string& fileName, const Model& model, const std::vector<char>& inside)
 {
   using vtksys::SystemTools;
-  Json::Value buffers;
-  const std::string& text = model.BufferMetaData;
-  const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
-  std::string wrong;
-  if (!reader->parse(text.data(), text.data() + text.size(), &buffers, &wrong) ||
-    !buffers.isArray())
+  const Json::Value buffers = ParseJson(model.BufferMetaData);
+  if (!buffers.isArray())
   {
     Refuse("it has no buffers");
   }
@@ -107,40 +170,48 @@ void CheckViews(const Model& model, const std::vector<std::int64_t>& buffers)
   for (const auto& view : model.BufferViews)
   {
     if (!IsIndex(view.Buffer, buffers.size()) || view.ByteOffset < 0 || view.ByteLength < 0 ||
+      view.ByteStride < 0 ||
       std::int64_t{ view.ByteOffset } + view.ByteLength >
         buffers[static_cast<std::size_t>(view.Buffer)])
     {
       Refuse("a bufferView reaches beyond its buffer");
     }
   }
-  for (const auto& accessor : model.Accessors)
+}
+
+// What a mesh uses lies in its bufferView.
+void CheckAccessor(const Model& model, int index)
+{
+  if (!IsIndex(index, model.Accessors.size()))
   {
-    if (accessor.BufferView < 0 && accessor.Count >= 0 && accessor.Count < 1 << 28)
-    {
-      continue; // zeros
-    }
-    if (!IsIndex(accessor.BufferView, model.BufferViews.size()) || accessor.Count < 0)
-    {
-      Refuse("an accessor has no bufferView");
-    }
-    const auto& view = model.BufferViews[static_cast<std::size_t>(accessor.BufferView)];
-    const std::int64_t element =
-      BytesOf(accessor.ComponentTypeValue) * static_cast<std::int64_t>(accessor.NumberOfComponents);
-    const std::int64_t stride = view.ByteStride > 0 ? view.ByteStride : element;
-    if (accessor.ByteOffset < 0 ||
-      accessor.ByteOffset + (std::int64_t{ accessor.Count } - 1) * stride + element >
-        view.ByteLength)
-    {
-      Refuse("an accessor reaches beyond its bufferView");
-    }
-    const auto& sparse = accessor.SparseObject;
-    if (accessor.IsSparse &&
-      (sparse.Count < 0 || sparse.Count > accessor.Count ||
-        !IsIndex(sparse.IndicesBufferView, model.BufferViews.size()) ||
-        !IsIndex(sparse.ValuesBufferView, model.BufferViews.size())))
-    {
-      Refuse("a sparse accessor is damaged");
-    }
+    Refuse("a mesh names an accessor that is not there");
+  }
+  const auto& accessor = model.Accessors[static_cast<std::size_t>(index)];
+  if (accessor.BufferView < 0)
+  {
+    Refuse("an accessor of a mesh has no bufferView, as of compressed meshes; export it without "
+           "compression");
+  }
+  if (!IsIndex(accessor.BufferView, model.BufferViews.size()) || accessor.Count < 0)
+  {
+    Refuse("an accessor of a mesh names a bufferView that is not there");
+  }
+  const auto& view = model.BufferViews[static_cast<std::size_t>(accessor.BufferView)];
+  const std::int64_t element =
+    BytesOf(accessor.ComponentTypeValue) * static_cast<std::int64_t>(accessor.NumberOfComponents);
+  const std::int64_t stride = view.ByteStride > 0 ? view.ByteStride : element;
+  if (accessor.ByteOffset < 0 ||
+    accessor.ByteOffset + (std::int64_t{ accessor.Count } - 1) * stride + element > view.ByteLength)
+  {
+    Refuse("an accessor reaches beyond its bufferView");
+  }
+  const auto& sparse = accessor.SparseObject;
+  if (accessor.IsSparse &&
+    (sparse.Count < 0 || sparse.Count > accessor.Count ||
+      !IsIndex(sparse.IndicesBufferView, model.BufferViews.size()) ||
+      !IsIndex(sparse.ValuesBufferView, model.BufferViews.size())))
+  {
+    Refuse("a sparse accessor is damaged");
   }
 }
 
@@ -151,14 +222,13 @@ void CheckNames(const Model& model)
   {
     for (const auto& primitive : mesh.Primitives)
     {
-      bool there = primitive.IndicesId < 0 || IsIndex(primitive.IndicesId, model.Accessors.size());
+      if (primitive.IndicesId >= 0)
+      {
+        CheckAccessor(model, primitive.IndicesId);
+      }
       for (const auto& attribute : primitive.AttributeIndices)
       {
-        there = there && IsIndex(attribute.second, model.Accessors.size());
-      }
-      if (!there)
-      {
-        Refuse("a mesh names an accessor that is not there");
+        CheckAccessor(model, attribute.second);
       }
     }
   }
@@ -272,6 +342,7 @@ void AddNode(const Model& model, std::size_t index, vtkMatrix4x4* above, vtkAppe
 //------------------------------------------------------------------------------
 void ReadGltf(const std::string& fileName, bool binary, vtkCommand* listener, vtkPolyData* output)
 {
+  CheckExtensions(ReadJson(fileName, binary));
   vtkNew<vtkGLTFDocumentLoader> loader;
   loader->AddObserver(vtkCommand::ErrorEvent, listener);
   loader->AddObserver(vtkCommand::WarningEvent, listener);

@@ -146,22 +146,28 @@ void WriteFiles()
 }
 
 //------------------------------------------------------------------------------
+// Whether a file has the tent, and nothing is said of it.
+void ReadTent(const std::string& name)
+{
+  std::cout << "  " << name << std::endl;
+  CHECK(vtkReliefMeshReader::IsMeshFile(Directory + name));
+  vtkNew<vtkReliefMeshReader> reader;
+  MessageKeeper messages(reader);
+  reader->SetFileName((Directory + name).c_str());
+  reader->Update();
+  vtkPolyData* mesh = reader->GetOutput();
+  CHECK(messages.Silent() && reader->GetErrorCode() == vtkErrorCode::NoError);
+  CHECK(mesh->GetNumberOfPolys() == 2 && mesh->GetNumberOfPoints() >= 4);
+  const double* bounds = mesh->GetBounds();
+  CHECK(bounds[0] == 0.0 && bounds[1] == 1.0 && bounds[3] == 2.0 && bounds[5] == 0.5);
+}
+
 void TestFormats()
 {
   for (const char* name : { "tent.obj", "TENT.OBJ", "text.ply", "binary.ply", "text.stl",
          "binary.stl", "text.vtk", "binary.vtk", "tent.vtp", "tent.glb", "tent.gltf" })
   {
-    std::cout << "  " << name << std::endl;
-    CHECK(vtkReliefMeshReader::IsMeshFile(Directory + name));
-    vtkNew<vtkReliefMeshReader> reader;
-    MessageKeeper messages(reader);
-    reader->SetFileName((Directory + name).c_str());
-    reader->Update();
-    vtkPolyData* mesh = reader->GetOutput();
-    CHECK(messages.Silent() && reader->GetErrorCode() == vtkErrorCode::NoError);
-    CHECK(mesh->GetNumberOfPolys() == 2 && mesh->GetNumberOfPoints() >= 4);
-    const double* bounds = mesh->GetBounds();
-    CHECK(bounds[0] == 0.0 && bounds[1] == 1.0 && bounds[3] == 2.0 && bounds[5] == 0.5);
+    ReadTent(name);
   }
   WriteText(Directory + "lines.obj",
     "v 0 0 0\r\nv 1 0 0\r\nvt 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nf 1/1 2/1 \\\n 3/1 4/1\r\n");
@@ -225,24 +231,6 @@ void TestRefusals()
   RefusedText("brace.gltf", "{ nonsense", vtkErrorCode::FileFormatError, "it cannot be read");
   RefusedText("nothing.gltf", GltfText(false, ",\"uri\":\"none.bin\""),
     vtkErrorCode::FileFormatError, "the file \"none.bin\" that it names is not there");
-  std::string part = GltfText(false, ",\"uri\":\"tent.bin\"");
-  const auto changed = [&part](const std::string& from, const std::string& to)
-  {
-    std::string text = part;
-    return text.replace(text.find(from), from.size(), to);
-  };
-  RefusedText("long.gltf", changed("\"byteLength\":60", "\"byteLength\":61"),
-    vtkErrorCode::PrematureEndOfFileError, "61 bytes, and there are 60");
-  RefusedText("view.gltf", changed("\"byteLength\":48", "\"byteLength\":61"),
-    vtkErrorCode::FileFormatError, "beyond its buffer");
-  RefusedText("accessor.gltf", changed("\"count\":6", "\"count\":600000"),
-    vtkErrorCode::FileFormatError, "beyond its bufferView");
-  RefusedText("name.gltf", changed("\"POSITION\":0", "\"POSITION\":7"),
-    vtkErrorCode::FileFormatError, "an accessor that is not there");
-  RefusedText("node.gltf", changed("\"nodes\":[0]", "\"nodes\":[3]"), vtkErrorCode::FileFormatError,
-    "a node that is not there");
-  RefusedText("circle.gltf", changed("{\"mesh\":0}", "{\"mesh\":0,\"children\":[0]}"),
-    vtkErrorCode::FileFormatError, "that has a parent");
 
   // No polygons, and polygons of what is not there.
   RefusedText("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1\nl 1 2\n",
@@ -304,6 +292,69 @@ void TestRefusals()
 }
 
 //------------------------------------------------------------------------------
+// The tent as text, with one part of it changed.
+std::string ChangedGltf(const std::string& from, const std::string& to)
+{
+  std::string text = GltfText(false, ",\"uri\":\"tent.bin\"");
+  return text.replace(text.find(from), from.size(), to);
+}
+
+// In front of everything else.
+std::string GltfWith(const std::string& more)
+{
+  return ChangedGltf("{\"asset\"", "{" + more + ",\"asset\"");
+}
+
+void RefusedGltf(const std::string& name, const std::string& content, const std::string& text)
+{
+  RefusedText(name + ".gltf", content, vtkErrorCode::FileFormatError, text);
+}
+
+// What is no number of a point or a polygon, and what VTK's loader would follow.
+void TestDamagedGltf()
+{
+  RefusedText("long.gltf", ChangedGltf("\"byteLength\":60", "\"byteLength\":61"),
+    vtkErrorCode::PrematureEndOfFileError, "61 bytes, and there are 60");
+  RefusedText("view.gltf", ChangedGltf("\"byteLength\":48", "\"byteLength\":61"),
+    vtkErrorCode::FileFormatError, "beyond its buffer");
+  RefusedText("accessor.gltf", ChangedGltf("\"count\":6", "\"count\":600000"),
+    vtkErrorCode::FileFormatError, "beyond its bufferView");
+  RefusedText("name.gltf", ChangedGltf("\"POSITION\":0", "\"POSITION\":7"),
+    vtkErrorCode::FileFormatError, "an accessor that is not there");
+  RefusedText("node.gltf", ChangedGltf("\"nodes\":[0]", "\"nodes\":[3]"),
+    vtkErrorCode::FileFormatError, "a node that is not there");
+  RefusedText("circle.gltf", ChangedGltf("{\"mesh\":0}", "{\"mesh\":0,\"children\":[0]}"),
+    vtkErrorCode::FileFormatError, "that has a parent");
+  RefusedGltf("deep", "{\"asset\":" + std::string(100000, '['), "it cannot be read as JSON");
+  RefusedGltf("list", "[{}]", "no object");
+}
+
+void TestGltfExtensions()
+{
+  const std::string draco = "KHR_draco_mesh_compression";
+  RefusedGltf("draco",
+    GltfWith("\"extensionsUsed\":[\"" + draco + "\"],\"extensionsRequired\":[\"" + draco + "\"]"),
+    "it needs KHR_draco_mesh_compression, which is not read; export it without");
+  RefusedGltf("quantized", GltfWith("\"extensionsRequired\":[\"KHR_mesh_quantization\"]"),
+    "it needs KHR_mesh_quantization");
+  RefusedGltf("number", GltfWith("\"extensionsRequired\":[7]"), "it needs (no name)");
+  RefusedGltf("word", GltfWith("\"extensionsRequired\":\"KHR_x\""), "no list");
+  RefusedGltf("viewless", ChangedGltf("\"bufferView\":0,\"componentType\"", "\"componentType\""),
+    "has no bufferView");
+  RefusedGltf("unindexed", ChangedGltf("\"bufferView\":1,\"componentType\"", "\"componentType\""),
+    "has no bufferView");
+  RefusedGltf("stride", ChangedGltf("\"byteLength\":48", "\"byteLength\":48,\"byteStride\":-12"),
+    "beyond its buffer");
+  // Those that leave the polygons as they are, and what no mesh uses.
+  WriteText(Directory + "unlit.gltf", GltfWith("\"extensionsRequired\":[\"KHR_materials_unlit\"]"));
+  ReadTent("unlit.gltf");
+  WriteText(Directory + "unused.gltf",
+    ChangedGltf("\"type\":\"SCALAR\"}",
+      "\"type\":\"SCALAR\"},{\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}"));
+  ReadTent("unused.gltf");
+}
+
+//------------------------------------------------------------------------------
 // Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
 void TestTruncated()
 {
@@ -343,6 +394,8 @@ int TestReliefMeshReader(int argc, char* argv[])
   WriteFiles();
   TestFormats();
   TestRefusals();
+  TestDamagedGltf();
+  TestGltfExtensions();
   TestTruncated();
   CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
   std::cout << window->Texts;
