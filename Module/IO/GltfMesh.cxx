@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -215,6 +216,128 @@ void CheckAccessor(const Model& model, int index)
   }
 }
 
+bool IsOf(const vtkGLTFDocumentLoader::Accessor& accessor,
+  std::initializer_list<vtkGLTFDocumentLoader::AccessorType> types)
+{
+  return std::find(types.begin(), types.end(), accessor.Type) != types.end();
+}
+
+bool BeginsWith(const std::string& text, const char* begin)
+{
+  return text.rfind(begin, 0) == 0;
+}
+
+// Numbers of points, as they are read.
+void CheckIndices(const Model& model, int index)
+{
+  using Component = vtkGLTFDocumentLoader::ComponentType;
+  CheckAccessor(model, index);
+  const auto& accessor = model.Accessors[static_cast<std::size_t>(index)];
+  const Component component = accessor.ComponentTypeValue;
+  if (!IsOf(accessor, { vtkGLTFDocumentLoader::AccessorType::SCALAR }) ||
+    (component != Component::UNSIGNED_BYTE && component != Component::UNSIGNED_SHORT &&
+      component != Component::UNSIGNED_INT))
+  {
+    Refuse("the indices of a mesh must be SCALAR, and UNSIGNED_BYTE, UNSIGNED_SHORT or "
+           "UNSIGNED_INT");
+  }
+}
+
+// Points, and what there is for each of them. Arrays of other types stay empty in VTK.
+void CheckAttribute(const Model& model, const std::string& name, int index, int points)
+{
+  using Type = vtkGLTFDocumentLoader::AccessorType;
+  using Component = vtkGLTFDocumentLoader::ComponentType;
+  CheckAccessor(model, index);
+  const auto& accessor = model.Accessors[static_cast<std::size_t>(index)];
+  const bool real = accessor.ComponentTypeValue == Component::FLOAT;
+  const auto need = [&name](bool fits, const char* expected)
+  {
+    if (!fits)
+    {
+      Refuse("the " + Shortened(name) + " of a mesh must be " + expected);
+    }
+  };
+  if (name == "POSITION" || name == "NORMAL")
+  {
+    need(real && IsOf(accessor, { Type::VEC3 }), "VEC3 of FLOAT");
+  }
+  else if (name == "TANGENT")
+  {
+    need(real && IsOf(accessor, { Type::VEC4 }), "VEC4 of FLOAT");
+  }
+  else if (BeginsWith(name, "TEXCOORD_"))
+  {
+    need((real || accessor.Normalized) && IsOf(accessor, { Type::VEC2 }),
+      "VEC2 of FLOAT or of normalized integers");
+  }
+  else if (BeginsWith(name, "COLOR_"))
+  {
+    need((real || accessor.Normalized) && IsOf(accessor, { Type::VEC3, Type::VEC4 }),
+      "VEC3 or VEC4 of FLOAT or of normalized integers");
+  }
+  if (accessor.Count != points)
+  {
+    Refuse("a mesh has " + std::to_string(points) + " points, and a " + Shortened(name) + " for " +
+      std::to_string(accessor.Count));
+  }
+}
+
+void CheckPrimitive(const Model& model, const vtkGLTFDocumentLoader::Primitive& primitive)
+{
+  const auto position = primitive.AttributeIndices.find("POSITION");
+  if (position == primitive.AttributeIndices.end())
+  {
+    Refuse("a mesh has no points: a POSITION is expected among its attributes");
+  }
+  constexpr int fan = 6;
+  if (primitive.Mode < 0 || primitive.Mode > fan)
+  {
+    Refuse("the mode of a mesh is " + std::to_string(primitive.Mode) + "; 0 to 6 is expected");
+  }
+  CheckAccessor(model, position->second);
+  const int points = model.Accessors[static_cast<std::size_t>(position->second)].Count;
+  for (const auto& attribute : primitive.AttributeIndices)
+  {
+    CheckAttribute(model, attribute.first, attribute.second, points);
+  }
+  int corners = points;
+  if (primitive.IndicesId >= 0)
+  {
+    CheckIndices(model, primitive.IndicesId);
+    corners = model.Accessors[static_cast<std::size_t>(primitive.IndicesId)].Count;
+  }
+  if (primitive.Mode == fan && corners < 3)
+  {
+    Refuse("a fan of a mesh has " + std::to_string(corners) + " corners, and needs 3 at least");
+  }
+}
+
+// Only what a mesh at rest has: shapes to change into and what moves with bones are of no use here,
+// nor are integers of other programs.
+void LeaveOut(Model& model)
+{
+  for (auto& mesh : model.Meshes)
+  {
+    for (auto& primitive : mesh.Primitives)
+    {
+      primitive.Targets.clear();
+      auto& attributes = primitive.AttributeIndices;
+      for (auto at = attributes.begin(); at != attributes.end();)
+      {
+        const bool known = at->first == "POSITION" || at->first == "NORMAL" ||
+          at->first == "TANGENT" || BeginsWith(at->first, "TEXCOORD_") ||
+          BeginsWith(at->first, "COLOR_");
+        const bool real = IsIndex(at->second, model.Accessors.size()) &&
+          model.Accessors[static_cast<std::size_t>(at->second)].ComponentTypeValue ==
+            vtkGLTFDocumentLoader::ComponentType::FLOAT;
+        const bool used = known || (BeginsWith(at->first, "_") && real);
+        at = used ? std::next(at) : attributes.erase(at);
+      }
+    }
+  }
+}
+
 // What is named is there.
 void CheckNames(const Model& model)
 {
@@ -222,14 +345,7 @@ void CheckNames(const Model& model)
   {
     for (const auto& primitive : mesh.Primitives)
     {
-      if (primitive.IndicesId >= 0)
-      {
-        CheckAccessor(model, primitive.IndicesId);
-      }
-      for (const auto& attribute : primitive.AttributeIndices)
-      {
-        CheckAccessor(model, attribute.second);
-      }
+      CheckPrimitive(model, primitive);
     }
   }
   std::vector<bool> below(model.Nodes.size());
@@ -353,6 +469,7 @@ void ReadGltf(const std::string& fileName, bool binary, vtkCommand* listener, vt
     return;
   }
   const std::shared_ptr<Model> model = loader->GetInternalModel();
+  LeaveOut(*model);
   CheckViews(*model, FindBuffers(fileName, *model, inside));
   CheckNames(*model);
   // Pictures, skins and motion are of no use here.

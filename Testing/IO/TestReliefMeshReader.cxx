@@ -10,6 +10,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkPLYWriter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkSTLWriter.h"
@@ -354,6 +355,67 @@ void TestGltfExtensions()
   ReadTent("unused.gltf");
 }
 
+void TestGltfAttributes()
+{
+  const std::string attributes = "\"attributes\":{\"POSITION\":0}";
+  const auto with = [&attributes](const std::string& more)
+  { return ChangedGltf(attributes, "\"attributes\":{\"POSITION\":0" + more + "}"); };
+  RefusedGltf("nothing", ChangedGltf(attributes, "\"attributes\":{}"), "has no points: a POSITION");
+  RefusedGltf("normals", ChangedGltf(attributes, "\"attributes\":{\"NORMAL\":0}"), "has no points");
+  RefusedGltf("without", ChangedGltf(attributes + ",", ""), "has no points");
+  RefusedGltf("indices", ChangedGltf("\"indices\":1", "\"indices\":0"), "must be SCALAR");
+  RefusedGltf("signed", ChangedGltf("5123", "5122"), "indices of a mesh must be SCALAR");
+  RefusedGltf("points", ChangedGltf("\"POSITION\":0", "\"POSITION\":1"),
+    "POSITION of a mesh must be VEC3 of FLOAT");
+  RefusedGltf("integers", ChangedGltf("5126", "5121"), "POSITION of a mesh must be VEC3 of FLOAT");
+  RefusedGltf("plane", ChangedGltf("\"VEC3\",\"min\":[0,0,0],\"max\":[1,2,0.5]", "\"VEC2\""),
+    "POSITION of a mesh must be VEC3 of FLOAT");
+  RefusedGltf("normal", with(",\"NORMAL\":1"), "NORMAL of a mesh must be VEC3");
+  RefusedGltf("tangent", with(",\"TANGENT\":0"), "TANGENT of a mesh must be VEC4");
+  RefusedGltf("texture", with(",\"TEXCOORD_0\":0"), "TEXCOORD_0 of a mesh must be VEC2");
+  RefusedGltf("color", with(",\"COLOR_0\":1"), "COLOR_0 of a mesh must be VEC3 or VEC4");
+  RefusedGltf(
+    "mode", ChangedGltf("\"indices\":1", "\"indices\":1,\"mode\":7"), "mode of a mesh is 7");
+  const std::string third =
+    "\"type\":\"SCALAR\"},{\"bufferView\":0,\"componentType\":5126,\"count\":2,"
+    "\"type\":\"VEC3\"}";
+  std::string few = with(",\"NORMAL\":2");
+  few.replace(few.find("\"type\":\"SCALAR\"}"), 16, third);
+  RefusedGltf("few", few, "4 points, and a NORMAL for 2");
+  std::string fan = ChangedGltf("\"POSITION\":0},\"indices\":1", "\"POSITION\":2},\"mode\":6");
+  fan.replace(fan.find("\"type\":\"SCALAR\"}"), 16, third);
+  RefusedGltf("fan", fan, "a fan of a mesh has 2 corners");
+  // Shapes to change into, bones and numbers of other programs are left out, whatever they are.
+  WriteText(Directory + "targets.gltf",
+    ChangedGltf(
+      attributes, attributes + ",\"targets\":[{\"POSITION\":1},{\"POSITION\":7,\"NORMAL\":-3}]"));
+  ReadTent("targets.gltf");
+  WriteText(
+    Directory + "bones.gltf", with(",\"JOINTS_0\":1,\"WEIGHTS_0\":9,\"_NUMBER\":1,\"OTHER\":-2"));
+  ReadTent("bones.gltf");
+  // All that is read for points.
+  std::string full = with(",\"NORMAL\":0,\"TANGENT\":2,\"TEXCOORD_0\":3,\"COLOR_0\":4");
+  const std::string more =
+    "\"type\":\"SCALAR\"},{\"bufferView\":2,\"componentType\":5126,\"count\":4,\"type\":\"VEC4\"},"
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"},"
+    "{\"bufferView\":0,\"componentType\":5121,\"normalized\":true,\"count\":4,\"type\":\"VEC4\"}";
+  full.replace(full.find("\"type\":\"SCALAR\"}"), 16, more);
+  const std::string view = "\"byteOffset\":48,\"byteLength\":12}";
+  full.replace(full.find(view), view.size(),
+    view + ",{\"buffer\":0,\"byteOffset\":0,\"byteLength\":60,\"byteStride\":12}");
+  WriteText(Directory + "full.gltf", full);
+  ReadTent("full.gltf");
+  vtkNew<vtkReliefMeshReader> reader;
+  reader->SetFileName((Directory + "full.gltf").c_str());
+  reader->Update();
+  vtkPointData* data = reader->GetOutput()->GetPointData();
+  CHECK(data->GetNormals() && data->GetTCoords() && data->GetScalars());
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    CHECK(data->GetAbstractArray(k)->GetNumberOfTuples() == 4);
+  }
+}
+
 //------------------------------------------------------------------------------
 // Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
 void TestTruncated()
@@ -396,6 +458,7 @@ int TestReliefMeshReader(int argc, char* argv[])
   TestRefusals();
   TestDamagedGltf();
   TestGltfExtensions();
+  TestGltfAttributes();
   TestTruncated();
   CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
   std::cout << window->Texts;
