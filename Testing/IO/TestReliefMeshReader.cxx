@@ -416,6 +416,29 @@ void TestGltfAttributes()
   }
 }
 
+void TestSparseGltf()
+{
+  const auto sparse = [](const std::string& indices)
+  {
+    return "\"count\":4,\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":1,\"componentType\":"
+           "5123" +
+      indices + "},\"values\":{\"bufferView\":0,\"byteOffset\":900000000}}";
+  };
+  RefusedGltf("sparse", ChangedGltf("\"count\":4", sparse(",\"byteOffset\":900000000")),
+    "its accessors are sparse, which is not read; export it without");
+  // What the loader leaves out moves no other.
+  RefusedGltf("offset", ChangedGltf("\"count\":4", sparse("")), "it cannot be read: ");
+  RefusedGltf("gone", ChangedGltf("\"accessors\":[", "\"accessors\":[{},"), "it cannot be read: ");
+  RefusedGltf("empty", ChangedGltf("\"meshes\":[", "\"meshes\":[{},"), "a mesh is empty");
+  const std::string target = "\"attributes\":{\"POSITION\":0},\"targets\":[{\"POSITION\":2}]";
+  std::string text = ChangedGltf("\"attributes\":{\"POSITION\":0}", target);
+  text.replace(text.find("\"type\":\"SCALAR\"}"), 16,
+    "\"type\":\"SCALAR\"},{\"componentType\":5126,\"type\":\"VEC3\"," +
+      sparse(",\"byteOffset\":0") + "}");
+  WriteText(Directory + "shape.gltf", text);
+  ReadTent("shape.gltf");
+}
+
 //------------------------------------------------------------------------------
 // Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
 void TestTruncated()
@@ -459,6 +482,7 @@ int TestReliefMeshReader(int argc, char* argv[])
   TestDamagedGltf();
   TestGltfExtensions();
   TestGltfAttributes();
+  TestSparseGltf();
   TestTruncated();
   CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
   std::cout << window->Texts;
