@@ -27,6 +27,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace relief::io
@@ -375,6 +376,34 @@ void CheckNames(const Model& model)
   }
 }
 
+// Nodes that are not too deep below each other: the loader goes down by calling itself. Each has
+// one parent at most, so the way ends.
+void CheckDepth(const Model& model)
+{
+  constexpr int deepest = 1000;
+  std::vector<std::pair<std::size_t, int>> open;
+  for (const auto& scene : model.Scenes)
+  {
+    for (const unsigned int node : scene.Nodes)
+    {
+      open.emplace_back(node, 1);
+    }
+    while (!open.empty())
+    {
+      const auto [node, depth] = open.back();
+      open.pop_back();
+      if (depth > deepest)
+      {
+        Refuse("its nodes are more than " + std::to_string(deepest) + " deep below each other");
+      }
+      for (const int child : model.Nodes[node].Children)
+      {
+        open.emplace_back(static_cast<std::size_t>(child), depth + 1);
+      }
+    }
+  }
+}
+
 // Whether the loader has all that the file lists: it leaves out what it finds damaged, and then
 // what follows has other numbers.
 bool HasAll(const Json::Value& root, const Model& model)
@@ -486,6 +515,7 @@ void ReadGltf(const std::string& fileName, bool binary, vtkCommand* listener, vt
   LeaveOut(*model);
   CheckViews(*model, FindBuffers(fileName, *model, inside));
   CheckNames(*model);
+  CheckDepth(*model);
   // Pictures, skins and motion are of no use here.
   model->Images.clear();
   model->Textures.clear();

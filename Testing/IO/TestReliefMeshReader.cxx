@@ -439,6 +439,30 @@ void TestSparseGltf()
   ReadTent("shape.gltf");
 }
 
+void TestDeepGltf()
+{
+  // A chain, with the mesh at its end.
+  const auto chain = [](int count)
+  {
+    std::string nodes;
+    for (int k = 1; k < count; ++k)
+    {
+      nodes += "{\"children\":[" + std::to_string(k) + "]},";
+    }
+    return ChangedGltf("{\"mesh\":0}", nodes + "{\"mesh\":0}");
+  };
+  WriteText(Directory + "thousand.gltf", chain(1000));
+  ReadTent("thousand.gltf");
+  RefusedGltf("chain", chain(1001), "more than 1000 deep");
+  RefusedGltf("stack", chain(30000), "more than 1000 deep");
+  RefusedGltf("ring", ChangedGltf("{\"mesh\":0}", "{\"children\":[1]},{\"children\":[0]}"),
+    "that has a parent");
+  // A ring beside the scene is never walked.
+  WriteText(Directory + "beside.gltf",
+    ChangedGltf("{\"mesh\":0}", "{\"mesh\":0},{\"children\":[2]},{\"children\":[1]}"));
+  ReadTent("beside.gltf");
+}
+
 //------------------------------------------------------------------------------
 // Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
 void TestTruncated()
@@ -483,6 +507,7 @@ int TestReliefMeshReader(int argc, char* argv[])
   TestGltfExtensions();
   TestGltfAttributes();
   TestSparseGltf();
+  TestDeepGltf();
   TestTruncated();
   CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
   std::cout << window->Texts;
