@@ -4,6 +4,7 @@
 #include "FileGuard.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkBase64Utilities.h"
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
@@ -118,17 +119,97 @@ void CheckExtensions(const Json::Value& root)
 }
 
 //------------------------------------------------------------------------------
-// How long each buffer is, which must be there: inside the file, beside it, or as text.
-std::vector<std::int64_t> FindBuffers(
-  const std::string& fileName, const Model& model, const std::vector<char>& inside)
+// A name as it was before it became part of an address: %20 is a blank.
+std::string Decoded(const std::string& uri)
+{
+  const auto digit = [](char c)
+  {
+    return c >= '0' && c <= '9' ? c - '0'
+      : c >= 'a' && c <= 'f'    ? c - 'a' + 10
+      : c >= 'A' && c <= 'F'    ? c - 'A' + 10
+                                : -1;
+  };
+  std::string name;
+  for (std::size_t at = 0; at < uri.size(); ++at)
+  {
+    const int high = uri[at] == '%' && at + 2 < uri.size() ? digit(uri[at + 1]) : -1;
+    const int low = high >= 0 ? digit(uri[at + 2]) : -1;
+    const bool coded = low >= 0 && high + low > 0;
+    name += coded ? static_cast<char>(16 * high + low) : uri[at];
+    at += coded ? 2 : 0;
+  }
+  return name;
+}
+
+[[noreturn]] void RefuseLength(std::int64_t length, std::uint64_t there)
+{
+  RefuseEnd("it ends early: a buffer is to have " + std::to_string(length) +
+    " bytes, and there are " + std::to_string(there));
+}
+
+// Data that stand in the address itself, as text.
+std::vector<char> DataBuffer(const std::string& uri, std::int64_t length)
+{
+  const std::string mark = ";base64,";
+  const std::size_t begin = uri.find(mark);
+  if (begin == std::string::npos)
+  {
+    Refuse("a buffer is written as 'data:' without ';base64,'");
+  }
+  const std::string text = Decoded(uri.substr(begin + mark.size()));
+  const std::uint64_t most = text.size() / 4 * 3;
+  if (static_cast<std::uint64_t>(length) > most)
+  {
+    RefuseLength(length, most);
+  }
+  std::vector<char> bytes(static_cast<std::size_t>(most));
+  const std::size_t count =
+    vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(text.data()),
+      text.size(), reinterpret_cast<unsigned char*>(bytes.data()), bytes.size());
+  if (static_cast<std::uint64_t>(length) > count)
+  {
+    RefuseLength(length, count);
+  }
+  bytes.resize(static_cast<std::size_t>(length));
+  return bytes;
+}
+
+// A file beside the one that names it.
+std::vector<char> FileBuffer(
+  const std::string& fileName, const std::string& uri, std::int64_t length)
 {
   using vtksys::SystemTools;
+  const std::string folder = SystemTools::GetFilenamePath(fileName) + "/";
+  std::string beside = folder + Decoded(uri);
+  beside = SystemTools::FileExists(beside, true) ? beside : folder + uri;
+  if (!SystemTools::FileExists(beside, true))
+  {
+    Refuse("the file \"" + Shortened(Decoded(uri)) + "\" that it names is not there");
+  }
+  const std::uint64_t there = SystemTools::FileLength(beside);
+  if (static_cast<std::uint64_t>(length) > there)
+  {
+    RefuseLength(length, there);
+  }
+  std::vector<char> bytes(static_cast<std::size_t>(length));
+  std::ifstream file(beside, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+  {
+    Refuse("the file \"" + Shortened(Decoded(uri)) + "\" that it names cannot be read");
+  }
+  return bytes;
+}
+
+// All buffers: inside the file, beside it, or as text. The loader does not know each way in which
+// they are named, so it gets them as they are.
+void ReadBuffers(const std::string& fileName, std::vector<char>& inside, Model& model)
+{
   const Json::Value buffers = ParseJson(model.BufferMetaData);
   if (!buffers.isArray())
   {
     Refuse("it has no buffers");
   }
-  std::vector<std::int64_t> lengths;
+  model.Buffers.clear();
   for (const Json::Value& buffer : buffers)
   {
     const std::int64_t length =
@@ -138,23 +219,25 @@ std::vector<std::int64_t> FindBuffers(
       Refuse("a buffer has no byteLength");
     }
     const std::string uri = buffer["uri"].isString() ? buffer["uri"].asString() : "";
-    const bool data = uri.compare(0, 5, "data:") == 0;
-    const std::string beside = SystemTools::GetFilenamePath(fileName) + "/" + uri;
-    if (!uri.empty() && !data && !SystemTools::FileExists(beside, true))
+    if (uri.empty())
     {
-      Refuse("the file \"" + Shortened(uri) + "\" that it names is not there");
+      // Only the first can be inside.
+      std::vector<char> bytes;
+      bytes.swap(inside);
+      if (static_cast<std::uint64_t>(length) > bytes.size())
+      {
+        RefuseLength(length, bytes.size());
+      }
+      model.Buffers.push_back(std::move(bytes));
     }
-    const std::int64_t there = uri.empty() ? static_cast<std::int64_t>(inside.size())
-      : data                               ? static_cast<std::int64_t>(uri.size() / 4 * 3)
-             : static_cast<std::int64_t>(SystemTools::FileLength(beside));
-    if (length > there)
+    else
     {
-      RefuseEnd("it ends early: a buffer is to have " + std::to_string(length) +
-        " bytes, and there are " + std::to_string(there));
+      model.Buffers.push_back(uri.compare(0, 5, "data:") == 0 ? DataBuffer(uri, length)
+                                                              : FileBuffer(fileName, uri, length));
     }
-    lengths.push_back(length);
   }
-  return lengths;
+  inside.clear();
+  model.BufferMetaData = "[]";
 }
 
 //------------------------------------------------------------------------------
@@ -167,14 +250,14 @@ std::int64_t BytesOf(vtkGLTFDocumentLoader::ComponentType type)
 }
 
 // Everything that is read lies in its buffer.
-void CheckViews(const Model& model, const std::vector<std::int64_t>& buffers)
+void CheckViews(const Model& model)
 {
   for (const auto& view : model.BufferViews)
   {
-    if (!IsIndex(view.Buffer, buffers.size()) || view.ByteOffset < 0 || view.ByteLength < 0 ||
+    if (!IsIndex(view.Buffer, model.Buffers.size()) || view.ByteOffset < 0 || view.ByteLength < 0 ||
       view.ByteStride < 0 ||
       std::int64_t{ view.ByteOffset } + view.ByteLength >
-        buffers[static_cast<std::size_t>(view.Buffer)])
+        static_cast<std::int64_t>(model.Buffers[static_cast<std::size_t>(view.Buffer)].size()))
     {
       Refuse("a bufferView reaches beyond its buffer");
     }
@@ -513,7 +596,8 @@ void ReadGltf(const std::string& fileName, bool binary, vtkCommand* listener, vt
     return;
   }
   LeaveOut(*model);
-  CheckViews(*model, FindBuffers(fileName, *model, inside));
+  ReadBuffers(fileName, inside, *model);
+  CheckViews(*model);
   CheckNames(*model);
   CheckDepth(*model);
   // Pictures, skins and motion are of no use here.

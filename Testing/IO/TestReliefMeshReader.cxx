@@ -3,6 +3,7 @@
 // message each, and nothing else printed.
 #include "vtkReliefMeshReader.h"
 
+#include "vtkBase64Utilities.h"
 #include "vtkCellArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -20,6 +21,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 namespace
 {
@@ -463,6 +465,39 @@ void TestDeepGltf()
   ReadTent("beside.gltf");
 }
 
+void TestGltfBuffers()
+{
+  const auto named = [](const std::string& uri)
+  { return GltfText(false, ",\"uri\":\"" + uri + "\""); };
+  const std::string buffer = GltfBuffer();
+  WriteText(Directory + "my buf.bin", buffer);
+  WriteText(Directory + "100%.bin", buffer);
+  WriteText(Directory + "as%20is.bin", buffer);
+  for (const char* uri :
+    { "my%20buf.bin", "my buf.bin", "m%79%20buf%2Ebin", "100%.bin", "100%25.bin", "as%20is.bin" })
+  {
+    WriteText(Directory + "named.gltf", named(uri));
+    ReadTent("named.gltf");
+  }
+  RefusedGltf("nobody", named("no%20body%zz%.bin"), "the file \"no body%zz%.bin\"");
+  RefusedGltf("zero", named("tent.bin%00"), "that it names is not there");
+  std::vector<unsigned char> text(2 * buffer.size());
+  const auto length =
+    vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(buffer.data()),
+      static_cast<unsigned long>(buffer.size()), text.data());
+  const std::string coded(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length));
+  const std::string begin = "data:application/octet-stream;base64,";
+  WriteText(Directory + "data.gltf", named(begin + coded));
+  ReadTent("data.gltf");
+  RefusedGltf("plain", named("data:" + coded), "without ';base64,'");
+  RefusedText("short.gltf", named(begin + coded.substr(4)), vtkErrorCode::PrematureEndOfFileError,
+    "60 bytes, and there are 57");
+  RefusedText("wrong.gltf", named(begin + "????" + coded.substr(4)),
+    vtkErrorCode::PrematureEndOfFileError, "60 bytes, and there are 0");
+  RefusedText("inside.gltf", GltfText(false, ""), vtkErrorCode::PrematureEndOfFileError,
+    "60 bytes, and there are 0");
+}
+
 //------------------------------------------------------------------------------
 // Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
 void TestTruncated()
@@ -508,6 +543,7 @@ int TestReliefMeshReader(int argc, char* argv[])
   TestGltfAttributes();
   TestSparseGltf();
   TestDeepGltf();
+  TestGltfBuffers();
   TestTruncated();
   CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
   std::cout << window->Texts;
