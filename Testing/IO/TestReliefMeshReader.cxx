@@ -499,6 +499,56 @@ void TestGltfBuffers()
 }
 
 //------------------------------------------------------------------------------
+void RefusedObj(const std::string& name, const std::string& content, const std::string& text)
+{
+  RefusedText(name + ".obj", content, vtkErrorCode::FileFormatError, text);
+}
+
+void TestObjLines()
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string tent = "v 0 0 0\nv 1 0 .5\nv 1. 2e0 +5.0E-1 # peak\nv 0 2 -0 1 0,5 x\n"
+                           "vt 0 0\nvn 0 0 1\n";
+  const std::string faces = "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n";
+  // Comments, empty lines and names behind the mark harm nothing.
+  for (const char* first : { "# tent\n", "#\n", "\n", "\r\n", "mtllib a.mtl\n", "o tent\n" })
+  {
+    WriteText(Directory + "mark.obj", mark + first + tent + faces);
+    ReadTent("mark.obj");
+  }
+  RefusedObj("mark", mark + tent + faces,
+    "line 1: a byte order mark of UTF-8 is in front of 'v 0 0 0'; save the file without");
+  const std::string point = "a point is 'v x y z', with 3 numbers";
+  for (const char* first : { "v 0,5 1 2", "v 0 0 0,5", "v 0 1,5 0" })
+  {
+    RefusedObj("comma", std::string("# c\n") + first + "\n" + tent + faces,
+      "line 2: " + point + " and decimal points, not '" + first + "'");
+  }
+  for (const char* first : { "v 0 0", "v", "v a b c", "v 0 0 nan", "v 0 inf 0", "v 0 0 1e999",
+         "v . 0 0", "v 1e 0 0", "v 0 0 0x10", "v - 0 0", "v 0 0 1e+", "v 1.2.3 0 0" })
+  {
+    RefusedObj(
+      "number", tent + faces + first + " \r\n", "line 9: " + point + ", not '" + first + "'");
+  }
+  RefusedObj("digits", tent + faces + "v 0 0 " + std::string(50, '9') + "\n", "line 9: " + point);
+  RefusedObj("texture", tent + faces + "vt 0,5 1\n", "line 9: a texture point is 'vt u v', with 2");
+  RefusedObj("normal", tent + faces + "vn 0 1\n", "line 9: a normal is 'vn x y z', with 3");
+  // Numbers of lines count those that go on, too.
+  RefusedObj("long", tent + "f 1 \\\n 2 \\\r\n 3\nv 0 0\n", "line 10: " + point);
+  for (const char* mixed : { "f 1/1/1 2 3//1", "f 1 2 3/1", "f 1//1 2/1/1 3//1", "f 1/1 2/1 3//1" })
+  {
+    RefusedObj("mixed", tent + mixed + "\n",
+      std::string("line 7: the corners of a face are written in different ways: '") + mixed + "'");
+  }
+  RefusedObj("apart", tent + "f 1/ 1 2/ 1 3/ 1\n", "line 7: a face is no list of numbers");
+  RefusedObj("two", tent + "f 1 2\n" + faces, "line 7: a face has 2 corners, and needs 3 at least");
+  RefusedObj("one", tent + "f 1/1/1\n" + faces, "line 7: a face has 1 corners");
+  RefusedObj("comment", tent + "f 1 2 3 # all\n", "line 7: a comment behind a face");
+  RefusedObj("none", tent + "f\n" + faces, "line 7: a face has 0 corners");
+  RefusedObj("far", tent + "f 1 2 5\n", "line 7: a face names number 5 of 4 points");
+}
+
+//------------------------------------------------------------------------------
 // Cut off anywhere, a file is refused or read as far as it goes, and always in one message at most.
 void TestTruncated()
 {
@@ -544,6 +594,7 @@ int TestReliefMeshReader(int argc, char* argv[])
   TestSparseGltf();
   TestDeepGltf();
   TestGltfBuffers();
+  TestObjLines();
   TestTruncated();
   CHECK(window->Texts.empty() && vtkOutputWindow::GetInstance() == window);
   std::cout << window->Texts;
