@@ -131,7 +131,11 @@ PlyHeader ReadPlyHeader(PlyFile& file)
     std::string key;
     std::string type;
     words >> key >> type;
-    const bool passed = key.empty() || key == "comment" || key == "obj_info";
+    if (key.empty())
+    {
+      RefuseFormat("its header has an empty line"); // VTK's reader does not survive that
+    }
+    const bool passed = key == "comment" || key == "obj_info";
     if (key == "format")
     {
       header.format = type;
