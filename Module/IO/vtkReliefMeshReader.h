@@ -23,7 +23,7 @@
  *
  * <b>Files of strangers.</b> Files are looked through before VTK's readers get them, and damaged
  * ones have been tried in all formats. VTK's reader of .vtk does not survive all of them: that
- * of 9.1 follows damaged numbers of cells. That of .vtp may print warnings.
+ * of 9.1 follows damaged numbers of cells. That of .vtp may print warnings, and take minutes.
  *
  * @sa vtkDepthToHeightField
  */
