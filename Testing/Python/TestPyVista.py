@@ -289,6 +289,7 @@ class TestRead(unittest.TestCase):
 
 @unittest.skipUnless(pv and LIVE, "PyVista or the mapper is not there")
 class TestLive(unittest.TestCase):
+    @unittest.skipUnless(FILES, "no files in this build")
     def test_the_page(self):
         """The example of Python.md."""
         page = os.path.join(ROOT, "Documentation", "Python.md")
@@ -413,6 +414,19 @@ class TestAccessor(unittest.TestCase):
         np.testing.assert_array_equal(accessor.shade(sun=(0, 45))["Shading"],
                                       module.shade(image(), sun=(0, 45))["Shading"])
         self.assertIn("Shading", accessor.drape().array_names)
+
+    @unittest.skipUnless(hasattr(pv, "register_dataset_accessor"), "this PyVista has no accessors")
+    def test_is_there(self):
+        """PyVista's own register."""
+        dem = image()
+        np.testing.assert_array_equal(dem.relief.shade(sun=(300, 20))["Shading"], rs.shade(dem, sun=(300, 20))["Shading"])
+        for other in (dem.cast_to_structured_grid(), dem.cast_to_rectilinear_grid()):
+            self.assertIn("Shading", other.relief.drape(sun=(300, 20)).array_names)
+        plotter = pv.Plotter(off_screen=True, window_size=(100, 80))
+        self.addCleanup(plotter.close)
+        dem.relief.add_to(plotter, sun=(300, 20))
+        plotter.show(auto_close=False)
+        self.assertGreater(np.ptp(plotter.screenshot(return_img=True)), 50)
 
 
 if __name__ == "__main__":
