@@ -2,8 +2,8 @@
 //
 // Shades height fields. index.d.ts documents what is here.
 
-import { fitScale, layerNames, load, presetLights, presetNames, shadeRun } from "./module.js";
-import { readField, readRun } from "./options.js";
+import { environmentLights as lightsOf, fitScale, layerNames, load, presetLights, presetNames, shadeRun } from "./module.js";
+import { readField, readRun, readSurroundings } from "./options.js";
 import { sceneFromText, sceneToText } from "./scene.js";
 
 export { parameters, version } from "./parameters.js";
@@ -20,6 +20,11 @@ export async function shade(heights, options = {}) {
 
 export async function fitHeightScale(heights, options = {}) {
   return fitScale(readField(heights, options));
+}
+
+export async function environmentLights(options = {}) {
+  const surroundings = await readSurroundings(options, presetLights);
+  return surroundings === null ? [] : lightsOf(surroundings);
 }
 
 export function sceneToJSON(options = {}) {

@@ -243,6 +243,20 @@ export async function presetLights(name, azimuth, altitude) {
   };
 }
 
+/** The lights that stand for the environment of a run, as the host upon WebGL 2 takes them. */
+export function environmentLights({ parameters, environment }) {
+  return using((wasm, put) => {
+    parameters.forEach((value, number) => wasm.reliefParameter(number, ...value));
+    setEnvironment(wasm, put, environment);
+    const count = wasm.reliefEnvironmentLights();
+    const numbers = new Float64Array(wasm.memory.buffer, wasm.reliefEnvironmentNumbers() >>> 0, 8 * count);
+    return Array.from({ length: count }, (_, k) => {
+      const [x, y, z, r, g, b, weight, toleranceScale] = numbers.slice(8 * k, 8 * k + 8);
+      return { direction: [x, y, z], color: [r, g, b], weight, toleranceScale };
+    });
+  });
+}
+
 /**
  * Shades a run, or only part k of so many bands of rows, from the south; see index.d.ts for what comes of it.
  * A band may have no rows.

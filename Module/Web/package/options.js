@@ -381,17 +381,35 @@ export function readField(heights, options) {
   };
 }
 
+/** The environment of options, checked, with the values of parameters; null where there is none. */
+export async function readSurroundings(options, presetLights) {
+  const scene = await readScene(options, presetLights);
+  const { environment } = scene;
+  if (!environment || environment.image === "none") {
+    return null;
+  }
+  refuseFile(environment);
+  if (environment.radius !== Infinity) {
+    throw rangeError("environment.radius", environment.radius, 'for lights without heights "infinite" is');
+  }
+  return { environment, parameters: numbersOf(scene) };
+}
+
+function refuseFile(environment) {
+  if (environment?.image === "file") {
+    throw new TypeError(
+      `environment.file: ${shown(environment.file)} is not read here; give its pixels, image: { data, width, height }`,
+    );
+  }
+}
+
 /** A run, checked, as module.js takes it. */
 export async function readRun(heights, options, { presetLights, fitScale }) {
   needObject("options", options);
   refuseUnknown("", options, [...sceneKeys, ...runKeys]);
   const field = readField(heights, options);
   const scene = await readScene(options, presetLights);
-  if (scene.environment?.image === "file") {
-    throw new TypeError(
-      `environment.file: ${shown(scene.environment.file)} is not read here; give its pixels, image: { data, width, height }`,
-    );
-  }
+  refuseFile(scene.environment);
   if (scene.fitted) {
     scene.scene.heightScale = await fitScale(field);
   }

@@ -18,6 +18,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 #define RELIEF_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -67,6 +68,7 @@ struct Run
   std::unique_ptr<float[]> layers[NumberOfLayers];
   std::unique_ptr<unsigned char[]> codes;
   double numbers[NumberOfNumbers] = {};
+  std::vector<double> lights; ///< those that stand for the environment
   std::string wrong;
 };
 
@@ -351,6 +353,29 @@ RELIEF_EXPORT const void* reliefResult(int layer)
 RELIEF_EXPORT double reliefNumber(int number)
 {
   return TheRun->numbers[number];
+}
+
+// The lights that stand for the run's environment, eight numbers each: direction, color times
+// intensity, weight, scale of the tolerance.
+RELIEF_EXPORT int reliefEnvironmentLights()
+{
+  int cleaned = 0;
+  TheRun->lights.clear();
+  for (const Light& light : EnvironmentLights(TheRun->scene, cleaned))
+  {
+    const glm::dvec3 color = light.color * light.intensity;
+    for (const double number : { light.vector.x, light.vector.y, light.vector.z, color.x, color.y,
+           color.z, light.weight, light.toleranceScale })
+    {
+      TheRun->lights.push_back(number);
+    }
+  }
+  return static_cast<int>(TheRun->lights.size() / 8);
+}
+
+RELIEF_EXPORT const double* reliefEnvironmentNumbers()
+{
+  return TheRun->lights.data();
 }
 
 // A preset of LightPresets.h as numbers: those of its sky (kind, intensity, samples, sampling),

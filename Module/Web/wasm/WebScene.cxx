@@ -34,20 +34,7 @@ RadianceMap MapOf(const WebScene& scene)
 
 void AddEnvironment(const WebScene& scene, const HeightField& field, Scene& result, int& cleaned)
 {
-  if (scene.sky == Sky::None)
-  {
-    return;
-  }
-  const RadianceMap map = MapOf(scene);
-  cleaned = static_cast<int>(map.GetCleaned());
-  std::vector<Light> samples =
-    SampleEnvironment(map, static_cast<EnvironmentSampling>(scene[key::EnvironmentSampling]),
-      static_cast<int>(scene[key::EnvironmentNumberOfSamples]),
-      TurnOf(scene[key::EnvironmentRotationZ], scene[key::EnvironmentTilt]));
-  for (Light& light : samples)
-  {
-    light.intensity = scene[key::EnvironmentIntensity];
-  }
+  std::vector<Light> samples = EnvironmentLights(scene, cleaned);
   PlaceAround(field, scene[key::EnvironmentRadius], samples);
   result.lights.insert(result.lights.end(), samples.begin(), samples.end());
 }
@@ -62,6 +49,25 @@ void AddTexture(
   }
 }
 
+}
+
+std::vector<Light> EnvironmentLights(const WebScene& scene, int& cleaned)
+{
+  if (scene.sky == Sky::None)
+  {
+    return {};
+  }
+  const RadianceMap map = MapOf(scene);
+  cleaned = static_cast<int>(map.GetCleaned());
+  std::vector<Light> samples =
+    SampleEnvironment(map, static_cast<EnvironmentSampling>(scene[key::EnvironmentSampling]),
+      static_cast<int>(scene[key::EnvironmentNumberOfSamples]),
+      TurnOf(scene[key::EnvironmentRotationZ], scene[key::EnvironmentTilt]));
+  for (Light& light : samples)
+  {
+    light.intensity = scene[key::EnvironmentIntensity];
+  }
+  return samples;
 }
 
 WebScene::Source SourceOf(const LightPreset::Sun& sun)

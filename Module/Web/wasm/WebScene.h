@@ -62,6 +62,9 @@ Scene MaterialOf(const WebScene& scene, const WebHeights& heights);
 void Complete(const WebScene& scene, const WebHeights& heights, const HeightField& field,
   Scene& result, int& cleaned);
 
+/// The lights that stand for the environment, infinitely far away; none where it has no map.
+std::vector<Light> EnvironmentLights(const WebScene& scene, int& cleaned);
+
 /// The source that a preset's sun is.
 WebScene::Source SourceOf(const LightPreset::Sun& sun);
 

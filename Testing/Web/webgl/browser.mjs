@@ -11,6 +11,7 @@ const SKIPPED = 77;
 const PATIENCE = 120000; // milliseconds, of machines that have other work
 const TYPES = {
   '.js': 'text/javascript', '.mjs': 'text/javascript', '.html': 'text/html', '.json': 'application/json',
+  '.css': 'text/css', '.png': 'image/png', '.wasm': 'application/wasm',
 };
 // A graphics processor in software, the same wherever the tests run.
 export const FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Puts the page together in one folder:
+//
+//     node assemble.mjs SOURCE PACKAGE WEBGL NODE_MODULES TERRAIN OUTPUT
+
+import { copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+import { metresOfDegree } from "./geodesy.js";
+import { medallionHeights } from "./medallion.mjs";
+
+const [source, packageFolder, webgl, modules, terrainFile, output] = process.argv.slice(2);
+
+const pageFiles = [
+  "index.html",
+  "style.css",
+  "main.js",
+  "history.js",
+  "scene.js",
+  "geodesy.js",
+  "files.js",
+  "files.worker.js",
+  "picture.js",
+  "lights.js",
+  "controls.js",
+  "panel.js",
+];
+
+//--------------------------------------------------------------------------------------------------
+// Libraries as they are, but for the names by which their modules find each other: browsers know no others than
+// paths, in workers.
+const libraries = { "fast-png": "lib", iobuffer: "lib", fflate: "esm" };
+const entries = { iobuffer: "iobuffer/iobuffer.js", fflate: "fflate/browser.js" };
+
+function copyLibrary(name, folder, depth = "../") {
+  const from = join(modules, name, folder);
+  const to = join(output, "libraries", name);
+  const copy = (below) => {
+    mkdirSync(join(to, below), { recursive: true });
+    for (const entry of readdirSync(join(from, below), { withFileTypes: true })) {
+      const path = join(below, entry.name);
+      if (entry.isDirectory()) {
+        copy(path);
+      } else if (path.endsWith(".js")) {
+        const up = depth + "../".repeat(path.split(/[\\/]/).length - 1);
+        const text = readFileSync(join(from, path), "utf8")
+          .replace(/(\bfrom\s*)(['"])(iobuffer|fflate)\2/g, (_, word, quote, library) => `${word}${quote}${up}${entries[library]}${quote}`)
+          .replace(/^\/\/# sourceMappingURL=.*$/m, "");
+        writeFileSync(join(to, path), text);
+      }
+    }
+  };
+  copy("");
+}
+
+function copyLibraries() {
+  Object.entries(libraries).forEach(([name, folder]) => copyLibrary(name, folder));
+  mkdirSync(join(output, "libraries", "geotiff"), { recursive: true });
+  const text = readFileSync(join(modules, "geotiff", "dist-browser", "geotiff.js"), "utf8");
+  writeFileSync(join(output, "libraries", "geotiff", "geotiff.js"), text.replace(/^\/\/# sourceMappingURL=.*$/m, ""));
+  // geotiff.js has its own dependencies in it.
+  const parts = readdirSync(modules).flatMap((name) =>
+    name.startsWith(".") ? [] : name.startsWith("@") ? readdirSync(join(modules, name)).map((inner) => `${name}/${inner}`) : [name],
+  );
+  const texts = parts.map((name) => {
+    const { version, license } = JSON.parse(readFileSync(join(modules, name, "package.json"), "utf8"));
+    const file = ["LICENSE", "LICENCE", "LICENSE.md", "LICENSE.txt"].map((one) => join(modules, name, one)).find((one) => existsSync(one));
+    return `${name} ${version}: ${license}\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
+  });
+  writeFileSync(join(output, "libraries", "LICENSES.txt"), texts.join(`\n${"-".repeat(80)}\n\n`));
+}
+
+//--------------------------------------------------------------------------------------------------
+// The examples, as 16-bit PNG.
+
+async function writeExamples() {
+  const { encode } = await import(pathToFileURL(join(modules, "fast-png", "lib", "index.js")));
+  const { fromArrayBuffer } = createRequire(pathToFileURL(join(modules, "x.js")))("geotiff");
+  const folder = join(output, "examples");
+  mkdirSync(folder, { recursive: true });
+  const write = (name, data, width, height) =>
+    writeFileSync(join(folder, name), encode({ data, width, height, channels: 1, depth: 16 }));
+
+  const bytes = readFileSync(terrainFile);
+  const tiff = await fromArrayBuffer(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+  const image = await tiff.getImage();
+  const [width, height] = [image.getWidth(), image.getHeight()];
+  const [metres] = await image.readRasters();
+  const [dx, dy] = image.getResolution().map(Math.abs);
+  const [mx, my] = metresOfDegree(image.getOrigin()[1] - (dy * height) / 2);
+  write("terrain.png", Uint16Array.from(metres), width, height);
+  const spacing = [dx * mx, dy * my].map((length) => Number(length.toPrecision(6)));
+
+  const size = 720;
+  const { heights, step } = medallionHeights(size);
+  const most = heights.reduce((a, b) => Math.max(a, b));
+  write("medallion.png", Uint16Array.from(heights, (h) => Math.round((65535 * h) / most)), size, size);
+  // In millimetres, of a medal 60 mm across.
+  const millimetres = 30;
+  const half = (size / 2) * step * millimetres;
+
+  const examples = [
+    {
+      name: "medallion",
+      label: "Medallion",
+      file: "medallion.png",
+      field: { lengths: false, spacing: [1, 1].map(() => step * millimetres), origin: [-half, -half].map((c) => c + (step * millimetres) / 2) },
+      scene: {
+        heightScale: Number(((most * millimetres) / 65535).toPrecision(6)),
+        subsurfaceDepth: 0.15,
+        baseColor: [0.01, 0.01, 0.012],
+        diffuseColor: [0.42, 0.23, 0.1],
+        specularColor: [1, 0.75, 0.4],
+        specularCoefficient: 0.45,
+        specularPower: 8,
+        lights: [{ kind: "point", position: [-21, 21, 26], color: [1, 0.9, 0.75], intensity: 1.4 }],
+      },
+    },
+    {
+      name: "terrain",
+      label: "Terrain",
+      file: "terrain.png",
+      field: { lengths: true, spacing, origin: [0, 0] },
+      scene: {
+        heightScale: 2,
+        subsurfaceDepth: 120,
+        diffuseColor: [0.9, 0.86, 0.78],
+        lights: [
+          { kind: "sun", azimuth: 315, altitude: 25, color: [1, 0.85, 0.65] },
+          { kind: "sun", azimuth: 120, altitude: 50, color: [0.2, 0.5, 0.7], intensity: 0.6 },
+        ],
+      },
+    },
+    {
+      name: "alabaster",
+      label: "Alabaster",
+      file: "medallion.png",
+      field: { lengths: false, spacing: [1, 1].map(() => step * millimetres), origin: [-half, -half].map((c) => c + (step * millimetres) / 2) },
+      scene: {
+        heightScale: Number(((most * millimetres) / 65535).toPrecision(6)),
+        subsurfaceDepth: 1.2,
+        diffuseColor: [0.95, 0.8, 0.62],
+        forwardScatterCoefficient: 0.6,
+        useFloor: true,
+        floorHeight: -2,
+        lights: [{ kind: "point", position: [8, 10, -30], color: [1, 0.86, 0.65], intensity: 2 }],
+        environment: { image: "whiteDome", intensity: 0.3, numberOfSamples: 32 },
+      },
+    },
+  ];
+  writeFileSync(join(folder, "examples.json"), `${JSON.stringify(examples, null, 1)}\n`);
+}
+
+//--------------------------------------------------------------------------------------------------
+rmSync(output, { recursive: true, force: true });
+mkdirSync(output, { recursive: true });
+pageFiles.forEach((name) => copyFileSync(join(source, name), join(output, name)));
+cpSync(packageFolder, join(output, "reliefshading"), { recursive: true });
+mkdirSync(join(output, "webgl"));
+readdirSync(webgl)
+  .filter((name) => name.endsWith(".js"))
+  .forEach((name) => copyFileSync(join(webgl, name), join(output, "webgl", name)));
+copyLibraries();
+await writeExamples();
+// Last: what the build looks at to see whether all is there.
+writeFileSync(join(output, "assembled"), "");

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reads and writes files away from the page: heights and pictures from PNG and TIFF by libraries, from all
+// else by the browser; pictures as PNG.
+
+import { metresOfDegree } from "./geodesy.js";
+import { convertIndexedToRgb, decode, encode } from "./libraries/fast-png/index.js";
+import "./libraries/geotiff/geotiff.js";
+
+const { GeoTIFF } = self;
+const most = 2 ** 26; // samples
+
+class Refusal extends Error {}
+
+function checkSize(width, height) {
+  if (width * height > most) {
+    throw new Refusal(`it has ${width} × ${height} samples, more than the ${most} that a page has room for`);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+// Each reader returns { data, width, height, channels }, and what else it knows.
+
+const begins = (bytes, ...head) => head.every((byte, k) => bytes[k] === byte);
+const isPng = (bytes) => begins(bytes, 137, 80, 78, 71);
+const isTiff = (bytes) => begins(bytes, 73, 73, 42, 0) || begins(bytes, 77, 77, 0, 42) || begins(bytes, 73, 73, 43, 0);
+
+async function readPng(bytes) {
+  const view = new DataView(bytes.buffer);
+  if (bytes.length < 33) {
+    throw new Refusal("it ends too soon");
+  }
+  checkSize(view.getUint32(16), view.getUint32(20));
+  if (bytes[24] < 8) {
+    return readByBrowser(bytes);
+  }
+  const png = decode(bytes, { checkCrc: true });
+  const data = png.palette ? convertIndexedToRgb(png) : png.data;
+  return { ...png, data, channels: data.length / (png.width * png.height) };
+}
+
+// What a TIFF says of its place: spacing in metres, where degrees are, and the south-western sample.
+function placeOf(image, height) {
+  try {
+    const [x, y] = image.getOrigin();
+    const [dx, dy] = image.getResolution().map(Math.abs);
+    const keys = image.getGeoKeys() ?? {};
+    const half = keys.GTRasterTypeGeoKey === 2 ? 0 : 0.5;
+    if (keys.GTModelTypeGeoKey === 2) {
+      const [mx, my] = metresOfDegree(y - (dy * height) / 2);
+      return { lengths: true, spacing: [dx * mx, dy * my], origin: [0, 0] };
+    }
+    return { lengths: true, spacing: [dx, dy], origin: [x + half * dx, y - (height - 1 + half) * dy] };
+  } catch {
+    return {}; // no georeference
+  }
+}
+
+async function readTiff(bytes) {
+  const tiff = await GeoTIFF.fromArrayBuffer(bytes.buffer);
+  const image = await tiff.getImage();
+  const [width, height] = [image.getWidth(), image.getHeight()];
+  checkSize(width, height);
+  const data = await image.readRasters({ interleave: true });
+  const channels = data.length / (width * height);
+  return { data, width, height, channels, nodata: image.getGDALNoData(), ...placeOf(image, height) };
+}
+
+async function readByBrowser(bytes) {
+  const how = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
+  const bitmap = await createImageBitmap(new Blob([bytes]), how);
+  const { width, height } = bitmap;
+  checkSize(width, height);
+  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+  context.drawImage(bitmap, 0, 0);
+  return { data: context.getImageData(0, 0, width, height).data, width, height, channels: 4 };
+}
+
+async function read(name, buffer) {
+  const bytes = new Uint8Array(buffer);
+  const reader = isPng(bytes) ? readPng : isTiff(bytes) ? readTiff : readByBrowser;
+  try {
+    return await reader(bytes);
+  } catch (error) {
+    const kind = isPng(bytes) ? "PNG" : isTiff(bytes) ? "TIFF" : null;
+    const why =
+      error instanceof Refusal
+        ? error.message
+        : kind
+          ? `the ${kind} is damaged, cut short or of a kind that is not read here`
+          : "it is no picture that this browser reads (PNG, TIFF, JPEG …)";
+    throw new Refusal(`“${name}” cannot be opened: ${why}.`);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+
+// Of a colour its brightness; what is transparent has no data.
+function toHeights({ data, width, height, channels, nodata, ...rest }) {
+  const heights = new Float32Array(width * height);
+  const colored = channels >= 3;
+  for (let k = 0, at = 0; k < heights.length; ++k, at += channels) {
+    const value = colored ? 0.2126 * data[at] + 0.7152 * data[at + 1] + 0.0722 * data[at + 2] : data[at];
+    heights[k] = value === nodata ? NaN : value;
+  }
+  // Bands of a raster are no alpha.
+  if (!rest.lengths && (channels === 2 || channels === 4)) {
+    for (let k = 0; k < heights.length; ++k) {
+      heights[k] = data[channels * k + channels - 1] === 0 ? NaN : heights[k];
+    }
+  }
+  if (!heights.some(Number.isFinite)) {
+    throw new Refusal("There is no sample with data in it.");
+  }
+  return { heights, width, height, lengths: false, spacing: [1, 1], origin: [0, 0], ...pick(rest) };
+}
+
+const pick = ({ lengths, spacing, origin }) => (lengths ? { lengths, spacing, origin } : {});
+
+const pictureTypes = [Uint8Array, Uint8ClampedArray, Uint16Array, Float32Array];
+
+function toPicture({ data, width, height, channels }) {
+  const plain = pictureTypes.some((Type) => data instanceof Type) ? data : Float32Array.from(data);
+  if (channels <= 4) {
+    return { data: plain, width, height };
+  }
+  const colors = new plain.constructor(3 * width * height);
+  for (let k = 0; k < width * height; ++k) {
+    colors.set(plain.subarray(channels * k, channels * k + 3), 3 * k);
+  }
+  return { data: colors, width, height };
+}
+
+// 1 where alpha, or else brightness, is at least half.
+function toMask({ data, width, height, channels }) {
+  const white = data instanceof Uint16Array ? 65535 : data instanceof Float32Array ? 1 : 255;
+  const alphaAt = channels - 1;
+  const wholeAlpha = channels === 2 || channels === 4;
+  let transparent = false;
+  for (let k = 0; wholeAlpha && !transparent && k < width * height; ++k) {
+    transparent = data[channels * k + alphaAt] < white;
+  }
+  const mask = new Uint8Array(width * height);
+  for (let k = 0; k < mask.length; ++k) {
+    mask[k] = data[channels * k + (transparent ? alphaAt : 0)] >= white / 2 ? 1 : 0;
+  }
+  return { data: mask, width, height };
+}
+
+const opaque = (data) => {
+  for (let k = 3; k < data.length; k += 4) {
+    if (data[k] !== 255) {
+      return false;
+    }
+  }
+  return true;
+};
+
+function writePng({ data, width, height }) {
+  if (!opaque(data)) {
+    return encode({ data, width, height, channels: 4, depth: 8 });
+  }
+  const colors = new Uint8Array(3 * width * height);
+  for (let k = 0, at = 0; at < data.length; at += 4) {
+    colors[k++] = data[at];
+    colors[k++] = data[at + 1];
+    colors[k++] = data[at + 2];
+  }
+  return encode({ data: colors, width, height, channels: 3, depth: 8 });
+}
+
+const answers = {
+  heights: async ({ name, buffer }) => toHeights(await read(name, buffer)),
+  picture: async ({ name, buffer }) => toPicture(await read(name, buffer)),
+  mask: async ({ name, buffer }) => toMask(await read(name, buffer)),
+  png: ({ picture }) => ({ data: writePng(picture) }),
+};
+
+self.onmessage = async ({ data }) => {
+  try {
+    const result = await answers[data.what](data);
+    self.postMessage({ result }, [(result.heights ?? result.data).buffer]);
+  } catch (error) {
+    const known = error instanceof Refusal;
+    self.postMessage({ error: known ? error.message : `The file cannot be handled: ${error.message}` });
+  }
+};
