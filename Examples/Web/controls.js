@@ -50,6 +50,7 @@ export function slider({ label, title, range: [from, to, power], low, high, whol
   const digits = (value) => (whole ? Math.round(value) : Number(value.toPrecision(4)));
   const track = make("input", { type: "range", id, min: 0, max: steps, step: 1, title });
   const number = make("input", { type: "number", step: "any", title, ariaLabel: `${label}, number` });
+  const text = (value) => (value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential(2) : String(digits(value)));
   const limits = (value) => Math.min(Math.max(value, low ?? -Infinity), high ?? Infinity);
   let shown = NaN;
   track.addEventListener("input", () => {
@@ -63,7 +64,7 @@ export function slider({ label, title, range: [from, to, power], low, high, whol
     if (Number.isFinite(value)) {
       onInput(limits(whole ? Math.round(value) : value));
     } else {
-      number.value = shown;
+      number.value = text(shown);
     }
     onEnd();
   });
@@ -85,7 +86,7 @@ export function slider({ label, title, range: [from, to, power], low, high, whol
         track.value = Math.round(steps * toShare(value));
       }
       track.setAttribute("aria-valuetext", String(digits(value)));
-      number.value = digits(value);
+      number.value = text(value);
     },
     enable(on) {
       track.disabled = number.disabled = !on;

@@ -80,7 +80,7 @@ export function describe(light, field, scene) {
   }
   const [u, v] = placeOfLight(light, field);
   const above = light.position[2] - middleHeight(field, scene);
-  return `Point light at ${(100 * u).toFixed(0)} % from the left, ${(100 * v).toFixed(0)} % from the top, ${above.toPrecision(3)} above the relief${off}`;
+  return `Point light ${(100 * u).toFixed(0)} % from the left, ${(100 * v).toFixed(0)} % from the top, ${Number(above.toPrecision(3))} up${off}`;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -240,7 +240,7 @@ export class LightDots {
       } else {
         const [u, v] = placeOfLight(light, field);
         const [w, h] = extentOf(field);
-        const step = (0.01 * steps * Math.min(w, h)) / 1;
+        const step = 0.01 * steps * Math.min(w, h);
         this.page.changeLight(moveLight(light, [u + (dx * step) / w, v + (dy * step) / h], field, state.scene), "keys");
       }
     } else if (event.key === "PageUp" || event.key === "PageDown") {

@@ -478,6 +478,6 @@ const page = new Page(examples);
 // For the console, and for tests.
 globalThis.reliefPage = page;
 await page.guard(() => page.openLink());
-await page.picture.settled();
+await page.picture.first;
 page.firstPicture = performance.now() - begin;
 document.documentElement.dataset.ready = "true";

@@ -102,6 +102,7 @@ export class Picture {
     this.changed = false;
     this.moving = false;
     this.waiting = [];
+    this.first = new Promise((resolve) => (this.tellFirst = resolve));
     this.host = null;
     this.begin(processorOnly);
   }
@@ -191,6 +192,7 @@ export class Picture {
       ({ converged } = await this.host.draw(moving));
       converged = converged && moving === this.moving;
       this.frames += 1;
+      this.tellFirst();
     } catch (error) {
       if (error.name === "ReliefError" && this.host instanceof OnGraphicsProcessor && !this.refused) {
         this.refused = true; // once; what is wrong with the scene is told by the other
@@ -198,6 +200,7 @@ export class Picture {
         converged = false;
       } else {
         this.on.wrong(error);
+        this.tellFirst();
       }
     }
     this.on.busy(!converged);

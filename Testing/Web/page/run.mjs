@@ -1,0 +1,575 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Tests of the page of Examples/Web in a headless browser.
+//
+//     node run.mjs TEST --page FOLDER --browser FOLDER --chromium FILE --libraries FOLDER --output FOLDER
+//       [--reliefshade FILE]
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+
+import { launch, serve } from '../webgl/browser.mjs';
+
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: Object.fromEntries(['page', 'browser', 'chromium', 'libraries', 'output', 'reliefshade']
+    .map((name) => [name, { type: 'string' }])),
+});
+const { encode, decode } = await import(
+  pathToFileURL(path.join(values.libraries, 'node_modules', 'fast-png', 'lib', 'index.js')));
+fs.mkdirSync(values.output, { recursive: true });
+
+const COLUMNS = 96;
+const ROWS = 80;
+const PATIENCE = 120000; // milliseconds, of machines that have other work
+
+//--------------------------------------------------------------------------------------------------
+// Files to be opened.
+
+function hills(most)
+{
+  return Uint16Array.from({ length: COLUMNS * ROWS }, (_, k) =>
+  {
+    const [i, j] = [k % COLUMNS, Math.floor(k / COLUMNS)];
+    return most * (0.5 + 0.3 * Math.sin(i / 9 + Math.cos(j / 13)) + 0.2 * Math.sin(i / 5 - j / 7));
+  });
+}
+
+const png = (data, channels, depth) => Buffer.from(encode({ data, width: COLUMNS, height: ROWS, channels, depth }));
+const heights16 = png(hills(60000), 1, 16);
+const heights8 = png(Uint8Array.from(hills(250)), 1, 8);
+const stripes = png(Uint8Array.from({ length: 3 * COLUMNS * ROWS }, (_, k) => (k % 3 === 0 || k % 90 < 45 ? 255 : 30)), 3, 8);
+const half = png(Uint8Array.from({ length: COLUMNS * ROWS }, (_, k) => (k % COLUMNS < COLUMNS / 2 ? 255 : 0)), 1, 8);
+
+// A TIFF of one strip of floats, little-endian, 2 units a sample.
+function floatTiff()
+{
+  const data = Float32Array.from(hills(60), (h) => h / 2);
+  const doubles = Buffer.alloc(72);
+  [2, 2, 0].forEach((value, k) => doubles.writeDoubleLE(value, 8 * k));
+  [0, 0, 0, 1000, 5000, 0].forEach((value, k) => doubles.writeDoubleLE(value, 24 + 8 * k));
+  const entries = [[256, 3, 1, COLUMNS], [257, 3, 1, ROWS], [258, 3, 1, 32], [259, 3, 1, 1], [262, 3, 1, 1],
+    [273, 4, 1, 0], [277, 3, 1, 1], [278, 3, 1, ROWS], [279, 4, 1, data.byteLength], [339, 3, 1, 3],
+    [33550, 12, 3, 0], [33922, 12, 6, 0]];
+  const begin = 8 + 2 + 12 * entries.length + 4;
+  entries[5][3] = begin + 72;
+  entries[10][3] = begin;
+  entries[11][3] = begin + 24;
+  const head = Buffer.alloc(begin);
+  head.write('II', 0);
+  head.writeUInt16LE(42, 2);
+  head.writeUInt32LE(8, 4);
+  head.writeUInt16LE(entries.length, 8);
+  entries.forEach(([tag, type, count, value], k) =>
+  {
+    const at = 10 + 12 * k;
+    head.writeUInt16LE(tag, at);
+    head.writeUInt16LE(type, at + 2);
+    head.writeUInt32LE(count, at + 4);
+    head.writeUInt32LE(value, at + 8);
+  });
+  return Buffer.concat([head, doubles, Buffer.from(data.buffer)]);
+}
+
+//--------------------------------------------------------------------------------------------------
+// The page, with no other address to be reached.
+
+const browser = await launch(values.browser, values.chromium);
+const server = await serve({ page: values.page });
+const address = `${server.url}page/index.html`;
+
+async function open({ width = 620, height = 420, query = '', hash = '', ...rest } = {})
+{
+  const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...rest });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  page.complaints = [];
+  page.on('console', (message) =>
+  {
+    const text = message.text();
+    if (['error', 'warning'].includes(message.type()) && !text.includes('GPU stall due to ReadPixels'))
+    {
+      page.complaints.push(text);
+    }
+  });
+  page.on('pageerror', (error) => page.complaints.push(String(error)));
+  await context.route((url) => url.origin !== new URL(server.url).origin && url.protocol.startsWith('http'), (route) =>
+  {
+    page.complaints.push(`asks for ${route.request().url()}`);
+    return route.abort();
+  });
+  await page.goto(`${address}${query}${hash}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: PATIENCE });
+  return page;
+}
+
+const settled = (page) => page.evaluate(() => globalThis.reliefPage.picture.settled());
+const sceneOf = (page) => page.evaluate(() => globalThis.reliefPage.state.scene);
+const alertOf = (page) => page.evaluate(() => document.querySelector('#alert:not([hidden]) span')?.textContent ?? '');
+
+// A number that another picture hardly has.
+async function pictureOf(page)
+{
+  await settled(page);
+  return page.evaluate(() =>
+  {
+    const { canvas } = globalThis.reliefPage.picture;
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    const { renderer } = globalThis.reliefPage.picture.host;
+    if (renderer)
+    {
+      return renderer.readPixels().data.reduce((sum, c, k) => (sum * 31 + c * (k % 97)) % 1000000007, 7);
+    }
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    return data.reduce((sum, c, k) => (sum * 31 + c * (k % 97)) % 1000000007, 7);
+  });
+}
+
+// By the page's own dialog of files.
+async function give(page, click, name, buffer)
+{
+  const chosen = page.waitForEvent('filechooser');
+  await click();
+  await (await chosen).setFiles({ name, mimeType: 'application/octet-stream', buffer });
+  await page.waitForTimeout(50);
+  await page.waitForFunction(() => !document.body.hasAttribute('aria-busy'));
+}
+
+const openHeights = (page, name, buffer) => give(page, () => page.click('#open'), name, buffer);
+
+async function downloadBy(page, button)
+{
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`text="${button}"`)]);
+  const file = path.join(values.output, download.suggestedFilename());
+  await download.saveAs(file);
+  return file;
+}
+
+const centre = async (page) =>
+{
+  const box = await page.locator('#frame').boundingBox();
+  return { ...box, at: (u, v) => [box.x + u * box.width, box.y + v * box.height] };
+};
+
+async function finish(page)
+{
+  assert.deepEqual(page.complaints, [], 'the page complains');
+  await page.context().close();
+}
+
+//--------------------------------------------------------------------------------------------------
+
+const tests = {
+  // Light by mouse, finger and keys.
+  async Light()
+  {
+    const page = await open({ hasTouch: true });
+    await openHeights(page, 'hills.png', heights16);
+    let before = await pictureOf(page);
+    const changed = async (what) =>
+    {
+      const after = await pictureOf(page);
+      assert.notEqual(after, before, `${what} does not change the picture`);
+      before = after;
+    };
+    // A sun to begin with: half way to the circle in the east.
+    let box = await centre(page);
+    const reach = Math.min(box.width, box.height) / 2;
+    await page.mouse.move(...box.at(0.9, 0.9));
+    await page.mouse.down();
+    for (let k = 1; k <= 5; ++k)
+    {
+      await page.mouse.move(box.x + box.width / 2 + (reach / 2) * (k / 5), box.y + box.height / 2);
+    }
+    await page.mouse.up();
+    let [light] = (await sceneOf(page)).lights;
+    assert.ok(Math.abs(light.azimuth - 90) < 1 && Math.abs(light.altitude - 45) < 1, JSON.stringify(light));
+    await changed('the mouse');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Shift+ArrowUp');
+    assert.ok((await sceneOf(page)).lights[0].azimuth < 89);
+    await changed('the keyboard');
+    await page.keyboard.press('PageDown');
+    await changed('page down');
+
+    // A lamp comes from the same direction, and then to the finger.
+    await page.check('text=Point >> input');
+    [light] = (await sceneOf(page)).lights;
+    assert.equal(light.kind, 'point');
+    await changed('another kind');
+    box = await centre(page); // which scrolling has moved
+    await page.touchscreen.tap(...box.at(0.25, 0.75));
+    [light] = (await sceneOf(page)).lights;
+    assert.ok(Math.abs(light.position[0] - (0.25 * COLUMNS - 0.5)) < 1, JSON.stringify(light));
+    assert.ok(Math.abs(light.position[1] - (0.25 * ROWS - 0.5)) < 1, JSON.stringify(light));
+    await changed('a finger');
+    // Another light, and the first one again by its dot.
+    await page.click('text="Add"');
+    assert.equal((await sceneOf(page)).lights.length, 2);
+    await changed('another light');
+    await page.mouse.click(...(await centre(page)).at(0.25, 0.75));
+    assert.equal(await page.evaluate(() => globalThis.reliefPage.state.selected), 0);
+    await page.click('text="Remove"');
+    assert.equal((await sceneOf(page)).lights.length, 1);
+    // Everything that takes input can be reached by tab, and is named.
+    const nameless = await page.evaluate(() => [...document.querySelectorAll('button, input, select, [tabindex]')]
+      .filter((one) => one.id !== 'file' && one.tabIndex >= 0)
+      .filter((one) => !(one.getAttribute('aria-label') || one.ariaLabel || one.labels?.length || one.textContent.trim()))
+      .map((one) => one.outerHTML));
+    assert.deepEqual(nameless, []);
+    await finish(page);
+  },
+
+  // Each slider, number, list, colour and box changes the scene, and can be taken back.
+  async Controls()
+  {
+    const page = await open();
+    await openHeights(page, 'hills.png', heights16);
+    await page.check('text=Point >> input');
+    await page.check('text=Light from all around >> input');
+    await page.selectOption('#panel select >> nth=4', 'clearSky').catch(() => {});
+    await page.check('text="Floor" >> input');
+    const wrong = await page.evaluate(() =>
+    {
+      const { reliefPage } = globalThis;
+      const failed = [];
+      const label = (one) => one.getAttribute('aria-label') ?? one.ariaLabel ?? one.labels?.[0]?.textContent;
+      const scene = () => JSON.stringify(reliefPage.state.scene);
+      const attempt = (one, change) =>
+      {
+        const before = scene();
+        change();
+        one.dispatchEvent(new Event('input', { bubbles: true }));
+        one.dispatchEvent(new Event('change', { bubbles: true }));
+        const after = scene();
+        reliefPage.history.undo();
+        if (after === before || scene() !== before)
+        {
+          failed.push(`${label(one)} (${one.type}): ${after === before ? 'nothing changes' : 'undo is not exact'}`);
+        }
+      };
+      const shown = [...document.querySelectorAll('#panel input, #panel select')]
+        .filter((one) => one.offsetParent !== null && !one.disabled);
+      for (const one of shown)
+      {
+        if (one.type === 'range')
+        {
+          attempt(one, () => { one.value = Number(one.value) > 500 ? 300 : 700; });
+        }
+        else if (one.type === 'number')
+        {
+          attempt(one, () => { one.value = Number(one.value) === 0.5 ? 0.25 : one.step === '1' ? 3 : 0.5; });
+        }
+        else if (one.type === 'color')
+        {
+          attempt(one, () => { one.value = '#123456'; });
+        }
+        else if (one.type === 'checkbox' && label(one) !== 'Drag turns the environment')
+        {
+          attempt(one, () => { one.checked = !one.checked; });
+        }
+        else if (one.tagName === 'SELECT' && one.options.length > 1 && label(one) !== 'Image')
+        {
+          attempt(one, () => { one.selectedIndex = one.selectedIndex === 0 ? 1 : 0; });
+        }
+      }
+      return { failed, count: shown.length };
+    });
+    assert.deepEqual(wrong.failed, []);
+    assert.ok(wrong.count > 50, `${wrong.count} controls`);
+    console.log(`${wrong.count} controls change the scene and are undone`);
+
+    // A colour is what was picked, and shows.
+    const before = await pictureOf(page);
+    await page.locator('#panel input[type="color"] >> nth=1').fill('#808080');
+    const { diffuseColor } = await sceneOf(page);
+    assert.ok(Math.abs(diffuseColor[0] - 0.2159) < 1e-3, String(diffuseColor));
+    assert.notEqual(await pictureOf(page), before);
+    await finish(page);
+  },
+
+  async History()
+  {
+    const page = await open();
+    await openHeights(page, 'hills.png', heights8);
+    const first = JSON.stringify(await sceneOf(page));
+    const firstPicture = await pictureOf(page);
+    await page.focus('#frame');
+    const box = await centre(page);
+    await page.mouse.move(...box.at(0.2, 0.2));
+    await page.mouse.down();
+    await page.mouse.move(...box.at(0.4, 0.3));
+    await page.mouse.move(...box.at(0.6, 0.7));
+    await page.mouse.up();
+    const dragged = JSON.stringify(await sceneOf(page));
+    assert.notEqual(dragged, first);
+    // A whole drag is one step.
+    await page.keyboard.press('Control+z');
+    assert.equal(JSON.stringify(await sceneOf(page)), first);
+    assert.equal(await pictureOf(page), firstPicture);
+    assert.ok(await page.isDisabled('#undo'));
+    await page.keyboard.press('Control+Shift+Z');
+    assert.equal(JSON.stringify(await sceneOf(page)), dragged);
+    await page.click('#reset');
+    assert.equal(JSON.stringify(await sceneOf(page)), first);
+    assert.equal(await pictureOf(page), firstPicture);
+    await page.click('#undo');
+    assert.equal(JSON.stringify(await sceneOf(page)), dragged);
+    await page.click('#redo');
+    assert.equal(JSON.stringify(await sceneOf(page)), first);
+    await finish(page);
+  },
+
+  // What is saved is what reliefshade makes of the saved scene, and links carry it.
+  async Scenes()
+  {
+    const page = await open();
+    const field = path.join(values.output, 'hills.png');
+    fs.writeFileSync(field, heights16);
+    await openHeights(page, 'hills.png', heights16);
+    await page.check('text=Point >> input');
+    await page.click('text="Add"');
+    await page.check('text=Sun >> input');
+    await page.locator('#panel input[type="color"] >> nth=0').fill('#ffc080');
+    await page.check('text=Light from all around >> input');
+    await page.evaluate(() => globalThis.reliefPage.changeScene(
+      { specularCoefficient: 0.3, specularPower: 6, subsurfaceDepth: 2.5, forwardScatterCoefficient: 0.2 }));
+    const scene = await downloadBy(page, 'Save scene');
+    const picture = await downloadBy(page, 'Save picture');
+    const saved = decode(fs.readFileSync(picture));
+    assert.deepEqual([saved.width, saved.height, saved.depth], [COLUMNS, ROWS, 8]);
+    if (values.reliefshade)
+    {
+      const native = path.join(values.output, 'native.png');
+      const result = spawnSync(values.reliefshade, [field, native, '--scene', scene], { encoding: 'utf8' });
+      assert.equal(result.status, 0, result.stderr);
+      const made = decode(fs.readFileSync(native));
+      assert.deepEqual([made.width, made.height, made.depth], [COLUMNS, ROWS, 8]);
+      let worst = 0;
+      for (let k = 0; k < COLUMNS * ROWS; ++k)
+      {
+        for (let c = 0; c < 3; ++c)
+        {
+          const of = (image) => image.data[image.channels * k + Math.min(c, image.channels - 1)];
+          worst = Math.max(worst, Math.abs(of(saved) - of(made)));
+        }
+      }
+      console.log(`the saved picture and that of reliefshade --scene differ by ${worst} of 255 at most`);
+      assert.ok(worst <= 2, `${worst} of 255`);
+    }
+    else
+    {
+      console.log('reliefshade is not there to be compared with');
+    }
+    const { worst, share } = await page.evaluate(() => globalThis.reliefPage.compare());
+    console.log(`what is shown and the exact sums differ by ${worst} of 255 at most, ${100 * share} % by more than 2`);
+    assert.ok(share <= 1e-3, `${share} of the samples differ`);
+
+    // Opened again, after other changes.
+    const kept = await sceneOf(page);
+    await page.click('#reset');
+    await give(page, () => page.click('text="Open scene…"'), 'scene.json', fs.readFileSync(scene));
+    const again = await downloadBy(page, 'Save scene');
+    assert.equal(fs.readFileSync(again, 'utf8'), fs.readFileSync(scene, 'utf8'));
+
+    // By a link, over an example.
+    await page.selectOption('#example', 'terrain');
+    await page.waitForFunction(() => globalThis.reliefPage.field.example === 'terrain');
+    await page.focus('#frame');
+    await page.keyboard.press('Shift+ArrowRight');
+    const moved = await sceneOf(page);
+    const link = await page.evaluate(() => globalThis.reliefPage.link());
+    await finish(page);
+    const other = await open({ hash: link.replace(/^[^#]*/, '') });
+    const { reliefScene, ...linked } = await sceneOf(other);
+    assert.equal(await other.evaluate(() => globalThis.reliefPage.field.example), 'terrain');
+    for (const key of ['azimuth', 'altitude', 'intensity'])
+    {
+      assert.equal(linked.lights[0][key] ?? 1, moved.lights[0][key] ?? 1);
+    }
+    assert.equal(linked.subsurfaceDepth, moved.subsurfaceDepth);
+    assert.ok(kept.environment);
+    await finish(other);
+    const bad = await open({ hash: '#nonsense' });
+    assert.match(await alertOf(bad), /The link has no scene/);
+    await finish(bad);
+  },
+
+  // Heights, textures, mask and environment of files; and files that are none.
+  async Files()
+  {
+    const page = await open();
+    const field = () => page.evaluate(() =>
+    {
+      const { width, height, spacing, origin, lengths, top } = globalThis.reliefPage.field;
+      return { width, height, spacing, origin, lengths, top };
+    });
+    await openHeights(page, 'eight.png', heights8);
+    assert.equal((await field()).width, COLUMNS);
+    await openHeights(page, 'deep.png', heights16);
+    assert.ok((await field()).top > 40000);
+    await openHeights(page, 'map.tif', floatTiff());
+    assert.deepEqual(await field(),
+      { ...(await field()), lengths: true, spacing: [2, 2], origin: [1001, 5000 - 2 * ROWS + 1] });
+    assert.equal(await alertOf(page), '');
+    const jpeg = Buffer.from(await page.evaluate(async () =>
+    {
+      const canvas = new OffscreenCanvas(40, 30);
+      const context = canvas.getContext('2d');
+      context.fillRect(0, 0, 20, 30);
+      return [...new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg' })).arrayBuffer())];
+    }));
+    await openHeights(page, 'photo.jpg', jpeg);
+    assert.equal((await field()).width, 40);
+
+    await openHeights(page, 'deep.png', heights16);
+    let before = await pictureOf(page);
+    for (const role of ['diffuse', 'mask', 'environment'])
+    {
+      if (role === 'environment')
+      {
+        await page.check('text=Light from all around >> input');
+        await page.evaluate(() => globalThis.reliefPage.changeEnvironment({ image: 'file', file: 'sky.png' }));
+      }
+      await give(page, () => page.click(`[data-drop="${role}"] button >> nth=0`), `${role}.png`,
+        role === 'mask' ? half : stripes);
+      assert.equal(await alertOf(page), '');
+      const after = await pictureOf(page);
+      assert.notEqual(after, before, `${role} does not show`);
+      before = after;
+    }
+    // The environment is turned by dragging, too.
+    await page.check('text=Drag turns the environment >> input');
+    const box = await centre(page);
+    await page.mouse.move(...box.at(0.3, 0.5));
+    await page.mouse.down();
+    await page.mouse.move(...box.at(0.6, 0.5));
+    await page.mouse.up();
+    assert.ok(Math.abs((await sceneOf(page)).environment.rotationZ - 54) < 3);
+    assert.notEqual(await pictureOf(page), before);
+
+    const huge = Buffer.from(heights8);
+    huge.writeUInt32BE(60000, 16);
+    huge.writeUInt32BE(60000, 20);
+    const bad = { 'text.txt': Buffer.from('no picture'), 'empty.png': Buffer.alloc(0),
+      'short.png': heights16.subarray(0, 2000), 'huge.png': huge, 'short.tif': floatTiff().subarray(0, 3000),
+      'head.png': heights16.subarray(0, 20) };
+    for (const [name, buffer] of Object.entries(bad))
+    {
+      await openHeights(page, name, buffer);
+      const text = await alertOf(page);
+      assert.ok(text.includes(name) && text.length < 200 && !text.includes('\n'), `${name}: ${text}`);
+      console.log(text);
+      assert.equal((await field()).width, COLUMNS, 'what was open stays');
+    }
+    for (const [name, text, says] of [['a.json', '{', /no JSON/], ['b.json', '{"reliefScene": 1, "tolerance": -1}', /tolerance/],
+      ['c.json', '[]', /reliefScene/]])
+    {
+      await give(page, () => page.click('text="Open scene…"'), name, Buffer.from(text));
+      assert.match(await alertOf(page), says);
+    }
+    // By dropping, where a scene's file is told by its name.
+    await page.evaluate((bytes) =>
+    {
+      const data = new DataTransfer();
+      data.items.add(new File([new Uint8Array(bytes)], 'dropped.png'));
+      document.querySelector('#stage').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true }));
+    }, [...heights8]);
+    await page.waitForFunction(() => globalThis.reliefPage.field.name === 'dropped.png');
+    assert.equal(await alertOf(page), '');
+    await finish(page);
+  },
+
+  async Context()
+  {
+    const page = await open();
+    await openHeights(page, 'hills.png', heights8);
+    const before = await pictureOf(page);
+    await page.evaluate(() =>
+    {
+      globalThis.lose = globalThis.reliefPage.picture.host.renderer.gl.getExtension('WEBGL_lose_context');
+      globalThis.lose.loseContext();
+    });
+    await page.waitForFunction(() => !document.querySelector('#alert').hidden);
+    assert.match(await alertOf(page), /lost/);
+    await page.evaluate(() => globalThis.lose.restoreContext());
+    await page.waitForFunction(() => document.querySelector('#alert').hidden);
+    assert.equal(await pictureOf(page), before);
+    page.complaints = page.complaints.filter((text) => !/CONTEXT_LOST|context lost/i.test(text));
+    await finish(page);
+  },
+
+  // Without WebGL 2.
+  async Processor()
+  {
+    const page = await open({ query: '?host=wasm' });
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.host), 'WebAssembly');
+    await openHeights(page, 'hills.png', heights16);
+    const before = await pictureOf(page);
+    await page.focus('#frame');
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.waitForTimeout(300);
+    assert.notEqual(await pictureOf(page), before);
+    await finish(page);
+  },
+
+  // How it looks, and how soon; the pictures are for people.
+  async Views()
+  {
+    const sizes = { phone: [390, 844], tablet: [820, 1180], desktop: [1440, 900] };
+    for (const [name, [width, height]] of Object.entries(sizes))
+    {
+      const begin = Date.now();
+      const page = await open({ width, height, colorScheme: name === 'tablet' ? 'dark' : 'light' });
+      console.log(`${name}: first picture after ${(await page.evaluate(() => globalThis.reliefPage.firstPicture)).toFixed(0)} ms`);
+      const [wide, frame] = await page.evaluate(() =>
+        [document.documentElement.scrollWidth, document.querySelector('#frame').getBoundingClientRect().toJSON()]);
+      assert.ok(wide <= width, `${name}: ${wide} pixels wide`);
+      assert.ok(frame.width >= 0.5 * Math.min(width, 400) && frame.bottom <= height, JSON.stringify(frame));
+      // A processor has long to do with the last, fine one.
+      await Promise.race([settled(page), new Promise((later) => { setTimeout(later, 15000); })]);
+      console.log(`${name}: shown at its best, or as far as it was, after ${Date.now() - begin} ms`);
+      await page.screenshot({ path: path.join(values.output, `${name}.png`) });
+      if (name === 'phone')
+      {
+        // While the light is dragged.
+        const box = await centre(page);
+        const start = await page.evaluate(() => [performance.now(), globalThis.reliefPage.picture.frames]);
+        await page.mouse.move(...box.at(0.2, 0.2));
+        await page.mouse.down();
+        for (let k = 0; k < 40; ++k)
+        {
+          await page.mouse.move(...box.at(0.2 + k / 80, 0.3));
+          await page.waitForTimeout(16);
+        }
+        const end = await page.evaluate(() => [performance.now(), globalThis.reliefPage.picture.frames]);
+        await page.mouse.up();
+        console.log(`${((1000 * (end[1] - start[1])) / (end[0] - start[0])).toFixed(1)} pictures a second while dragging`);
+      }
+      await finish(page);
+    }
+  },
+};
+
+let failed = false;
+try
+{
+  const late = new Promise((_, fail) =>
+  {
+    setTimeout(() => fail(new Error('the page takes too long')), 280000).unref();
+  });
+  await Promise.race([tests[positionals[0]](), late]);
+}
+catch (error)
+{
+  console.error(error);
+  failed = true;
+}
+await browser.close();
+server.close();
+process.exit(failed ? 1 : 0);
