@@ -141,13 +141,13 @@ async function writeExamples() {
       field: { lengths: false, spacing: [1, 1].map(() => step * millimetres), origin: [-half, -half].map((c) => c + (step * millimetres) / 2) },
       scene: {
         heightScale: Number(((most * millimetres) / 65535).toPrecision(6)),
-        subsurfaceDepth: 1.2,
+        subsurfaceDepth: 0.6,
         diffuseColor: [0.95, 0.8, 0.62],
         forwardScatterCoefficient: 0.6,
         useFloor: true,
         floorHeight: -2,
-        lights: [{ kind: "point", position: [8, 10, -30], color: [1, 0.86, 0.65], intensity: 2 }],
-        environment: { image: "whiteDome", intensity: 0.3, numberOfSamples: 32 },
+        lights: [{ kind: "point", position: [8, 10, -30], color: [1, 0.86, 0.65], intensity: 0.9 }],
+        environment: { image: "whiteDome", intensity: 0.12, numberOfSamples: 32 },
       },
     },
   ];

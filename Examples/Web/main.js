@@ -29,8 +29,8 @@ class Page {
       host: (name) => (document.documentElement.dataset.host = name),
       lost: (lost) => (lost ? this.alert("The graphics processor was lost; the picture comes back with it.") : this.alert("")),
     };
-    const processorOnly = new URLSearchParams(location.search).get("host") === "wasm";
-    this.picture = new Picture(find("#canvas"), this.assets, on, processorOnly);
+    const host = new URLSearchParams(location.search).get("host");
+    this.picture = new Picture(find("#canvas"), this.assets, on, host);
     this.dots = new LightDots(find("#frame"), this);
     this.panel = new Panel(find("#panel"), this);
     this.listen();
@@ -180,7 +180,7 @@ class Page {
     this.picture.setField(this.field);
     this.first = { scene: scene ?? this.usualScene(), selected: 0, images: noImages };
     this.history.begin(this.first);
-    this.panelScale = null;
+    this.ends = null;
     find("#example").value = field.example;
     this.layOut();
     this.update(false);
@@ -316,8 +316,10 @@ class Page {
       this.history.state = { ...this.state, selected: 0 };
     }
     this.applyMask();
-    if (this.panelScale !== (scene.heightScale ?? 1)) {
-      this.panelScale = scene.heightScale ?? 1;
+    // Where sliders end.
+    const ends = `${scene.heightScale} ${scene.useFloor}`;
+    if (this.ends !== ends) {
+      this.ends = ends;
       this.panel.fieldChanged();
     }
     this.picture.setState(this.state, moving);

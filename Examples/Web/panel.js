@@ -213,7 +213,11 @@ export class Panel {
         change({ position: [x, y, middleHeight(page.field, page.state.scene) + value] }, "distance");
       },
     );
-    this.ranges.push(() => distance.setRange(0, 2 * Math.max(...extentOf(page.field))));
+    // Below the relief, too, where light comes through.
+    this.ranges.push(() => {
+      const far = 2 * Math.max(...extentOf(page.field));
+      distance.setRange(page.state.scene.useFloor ? -far / 2 : 0, far);
+    });
     const angle = (key, label, title, range) => {
       const control = slider({
         label,
@@ -231,6 +235,7 @@ export class Panel {
       angle("altitude", "Altitude", "How high the sun stands, in degrees above the horizon.", [0, 90, 1]),
     ];
     const diameter = this.ofLight("angularDiameter", "Diameter", change);
+    this.ranges.push(() => angles[1].control.setRange(page.state.scene.useFloor ? -90 : 0, 90));
     this.shows.push(() => {
       const light = this.light();
       const sun = light.kind === "sun";

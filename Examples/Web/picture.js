@@ -27,6 +27,13 @@ function coarser(field) {
   return { ...field, heights, width, height, spacing: field.spacing.map((size) => n * size) };
 }
 
+/** Whether WebGL is computed by the processor, which the exact sums then do sooner. */
+function inSoftware(gl) {
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  return /SwiftShader|llvmpipe|softpipe|software|Basic Render/i.test(name);
+}
+
 //--------------------------------------------------------------------------------------------------
 class OnGraphicsProcessor {
   constructor(canvas, onLost, onRestored) {
@@ -62,6 +69,7 @@ class OnProcessor {
 
   setField(field) {
     this.fields = [field, coarser(field)];
+    this.fresh = true; // a coarse picture comes first
   }
 
   async setScene(state, field, assets) {
@@ -75,12 +83,13 @@ class OnProcessor {
   }
 
   async draw(moving) {
-    const k = moving ? 1 : 0;
+    const k = moving || this.fresh ? 1 : 0;
+    this.fresh = false;
     const { data, width, height } = await this.shader.shade(this.fields[k].heights, this.options[k]);
     const picture = await createImageBitmap(new ImageData(data, width, height));
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     this.context.drawImage(picture, 0, 0, this.canvas.width, this.canvas.height);
-    return { converged: !moving };
+    return { converged: k === 0 };
   }
 
   dispose() {
@@ -93,8 +102,9 @@ export class Picture {
   /**
    * @param assets    pixels by their names
    * @param on        wrong(error), busy(whether), host(name), lost(whether)
+   * @param host      "webgl" or "wasm"; else what is quicker
    */
-  constructor(canvas, assets, on, processorOnly = false) {
+  constructor(canvas, assets, on, host) {
     this.canvas = canvas;
     this.assets = assets;
     this.on = on;
@@ -104,11 +114,11 @@ export class Picture {
     this.waiting = [];
     this.first = new Promise((resolve) => (this.tellFirst = resolve));
     this.host = null;
-    this.begin(processorOnly);
+    this.begin(host);
   }
 
-  begin(processorOnly) {
-    if (!processorOnly) {
+  begin(host) {
+    if (host !== "wasm") {
       try {
         this.host = new OnGraphicsProcessor(
           this.canvas,
@@ -118,6 +128,11 @@ export class Picture {
             this.schedule();
           },
         );
+        if (host !== "webgl" && inSoftware(this.host.renderer.gl)) {
+          this.host.dispose();
+          this.host = null;
+          this.replaceCanvas();
+        }
       } catch {
         this.replaceCanvas();
       }
@@ -138,7 +153,7 @@ export class Picture {
     this.host.dispose();
     this.host = null;
     this.replaceCanvas();
-    this.begin(true);
+    this.begin("wasm");
     this.host.setField(this.field);
     this.changed = true;
   }
