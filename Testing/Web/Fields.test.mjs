@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { fitHeightScale, makePlane, makeRandom, makeTerrain, parameters, shade } from "./Shared.mjs";
+import { environmentLights, fitHeightScale, makePlane, makeRandom, makeTerrain, parameters, shade } from "./Shared.mjs";
 
 const sine = (degrees) => Math.sin((degrees * Math.PI) / 180);
 const near = (value, expected, bound, text) =>
@@ -307,4 +307,28 @@ test("nothing breaks, whatever the numbers are", async () => {
       assert.match(error.message, /^heights reach from/);
     }
   }
+});
+
+test("the lights of an environment light level ground as it does", async () => {
+  const run = { width: 3, height: 3, output: "float" };
+  const environments = [
+    { image: "whiteDome", intensity: 0.5 },
+    { image: "clearSky", azimuth: 80, altitude: 25, tilt: 20, rotationZ: 50, numberOfSamples: 40 },
+    {
+      image: { data: new Uint8Array(24).map((_, k) => 10 * k), width: 4, height: 2 },
+      sampling: "importance",
+    },
+  ];
+  for (const environment of environments) {
+    const lights = await environmentLights({ environment });
+    const { data } = await shade(new Float32Array(9), { ...run, environment });
+    for (const c of [0, 1, 2]) {
+      const sum = lights.reduce((s, l) => s + l.color[c] * l.weight * Math.max(l.direction[2], 0), 0);
+      near(data[16 + c], sum, 2e-3 * Math.max(sum, 1), `component ${c} of ${environment.image}`);
+    }
+  }
+  assert.deepEqual(await environmentLights({}), []);
+  assert.deepEqual(await environmentLights({ environment: { image: "none" } }), []);
+  await assert.rejects(environmentLights({ environment: { image: "whiteDome", radius: 5 } }), /environment.radius: 5 was given/);
+  await assert.rejects(environmentLights({ environment: { image: "file", file: "a.exr" } }), /is not read here/);
 });

@@ -10,6 +10,7 @@ import { pathToFileURL } from "node:url";
 export const packageFolder = process.env.RELIEF_PACKAGE;
 export const {
   createWorkerShader,
+  environmentLights,
   fitHeightScale,
   init,
   parameters,
