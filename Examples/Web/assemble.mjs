@@ -4,7 +4,16 @@
 //
 //     node assemble.mjs SOURCE PACKAGE WEBGL NODE_MODULES TERRAIN OUTPUT
 
-import { copyFileSync, cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -47,7 +56,10 @@ function copyLibrary(name, folder, depth = "../") {
       } else if (path.endsWith(".js")) {
         const up = depth + "../".repeat(path.split(/[\\/]/).length - 1);
         const text = readFileSync(join(from, path), "utf8")
-          .replace(/(\bfrom\s*)(['"])(iobuffer|fflate)\2/g, (_, word, quote, library) => `${word}${quote}${up}${entries[library]}${quote}`)
+          .replace(
+            /(\bfrom\s*)(['"])(iobuffer|fflate)\2/g,
+            (_, word, quote, library) => `${word}${quote}${up}${entries[library]}${quote}`,
+          )
           .replace(/^\/\/# sourceMappingURL=.*$/m, "");
         writeFileSync(join(to, path), text);
       }
@@ -60,14 +72,22 @@ function copyLibraries() {
   Object.entries(libraries).forEach(([name, folder]) => copyLibrary(name, folder));
   mkdirSync(join(output, "libraries", "geotiff"), { recursive: true });
   const text = readFileSync(join(modules, "geotiff", "dist-browser", "geotiff.js"), "utf8");
-  writeFileSync(join(output, "libraries", "geotiff", "geotiff.js"), text.replace(/^\/\/# sourceMappingURL=.*$/m, ""));
+  writeFileSync(
+    join(output, "libraries", "geotiff", "geotiff.js"),
+    text.replace(/^\/\/# sourceMappingURL=.*$/m, ""),
+  );
   // geotiff.js has its own dependencies in it.
   const parts = readdirSync(modules).flatMap((name) =>
-    name.startsWith(".") ? [] : name.startsWith("@") ? readdirSync(join(modules, name)).map((inner) => `${name}/${inner}`) : [name],
+    name.startsWith(".")
+      ? []
+      : name.startsWith("@")
+        ? readdirSync(join(modules, name)).map((inner) => `${name}/${inner}`)
+        : [name],
   );
+  const names = ["LICENSE", "LICENCE", "LICENSE.md", "LICENSE.txt"];
   const texts = parts.map((name) => {
     const { version, license } = JSON.parse(readFileSync(join(modules, name, "package.json"), "utf8"));
-    const file = ["LICENSE", "LICENCE", "LICENSE.md", "LICENSE.txt"].map((one) => join(modules, name, one)).find((one) => existsSync(one));
+    const file = names.map((one) => join(modules, name, one)).find(existsSync);
     return `${name} ${version}: ${license}\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
   });
   writeFileSync(join(output, "libraries", "LICENSES.txt"), texts.join(`\n${"-".repeat(80)}\n\n`));
@@ -97,17 +117,24 @@ async function writeExamples() {
   const size = 720;
   const { heights, step } = medallionHeights(size);
   const most = heights.reduce((a, b) => Math.max(a, b));
-  write("medallion.png", Uint16Array.from(heights, (h) => Math.round((65535 * h) / most)), size, size);
+  write(
+    "medallion.png",
+    Uint16Array.from(heights, (h) => Math.round((65535 * h) / most)),
+    size,
+    size,
+  );
   // In millimetres, of a medal 60 mm across.
   const millimetres = 30;
-  const half = (size / 2) * step * millimetres;
+  const sample = step * millimetres;
+  const corner = (sample * (1 - size)) / 2;
+  const medal = { lengths: false, spacing: [sample, sample], origin: [corner, corner] };
 
   const examples = [
     {
       name: "medallion",
       label: "Medallion",
       file: "medallion.png",
-      field: { lengths: false, spacing: [1, 1].map(() => step * millimetres), origin: [-half, -half].map((c) => c + (step * millimetres) / 2) },
+      field: medal,
       scene: {
         heightScale: Number(((most * millimetres) / 65535).toPrecision(6)),
         subsurfaceDepth: 0.15,
@@ -138,7 +165,7 @@ async function writeExamples() {
       name: "alabaster",
       label: "Alabaster",
       file: "medallion.png",
-      field: { lengths: false, spacing: [1, 1].map(() => step * millimetres), origin: [-half, -half].map((c) => c + (step * millimetres) / 2) },
+      field: medal,
       scene: {
         heightScale: Number(((most * millimetres) / 65535).toPrecision(6)),
         subsurfaceDepth: 1,

@@ -49,8 +49,9 @@ export function slider({ label, title, range: [from, to, power], low, high, whol
   const toShare = (value) => Math.min(Math.max((value - from) / (to - from), 0), 1) ** (1 / power);
   const digits = (value) => (whole ? Math.round(value) : Number(value.toPrecision(4)));
   const track = make("input", { type: "range", id, min: 0, max: steps, step: 1, title });
-  const number = make("input", { type: "number", step: "any", title, ariaLabel: `${label}, number` });
-  const text = (value) => (value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential(2) : String(digits(value)));
+  const number = make("input", { type: "number", step: "any", title, "aria-label": `${label}, number` });
+  const text = (value) =>
+    value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential(2) : String(digits(value));
   const limits = (value) => Math.min(Math.max(value, low ?? -Infinity), high ?? Infinity);
   let shown = NaN;
   track.addEventListener("input", () => {
@@ -154,8 +155,13 @@ export function color({ label, title, onInput, onEnd }, ...more) {
 
 /** A picture that may be opened: a button, its name, and a button that takes it away. */
 export function pictureRow({ label, title, role, onOpen, onRemove }) {
-  const open = make("button", { type: "button", textContent: "Open…", title, ariaLabel: `${label}: open` });
-  const remove = make("button", { type: "button", textContent: "×", ariaLabel: `${label}: remove` });
+  const open = make("button", {
+    type: "button",
+    textContent: "Open…",
+    title,
+    "aria-label": `${label}: open`,
+  });
+  const remove = make("button", { type: "button", textContent: "×", "aria-label": `${label}: remove` });
   const name = make("span", { className: "name" });
   open.addEventListener("click", onOpen);
   remove.addEventListener("click", onRemove);

@@ -23,7 +23,8 @@ function checkSize(width, height) {
 
 const begins = (bytes, ...head) => head.every((byte, k) => bytes[k] === byte);
 const isPng = (bytes) => begins(bytes, 137, 80, 78, 71);
-const isTiff = (bytes) => begins(bytes, 73, 73, 42, 0) || begins(bytes, 77, 77, 0, 42) || begins(bytes, 73, 73, 43, 0);
+const isTiff = (bytes) =>
+  begins(bytes, 73, 73, 42, 0) || begins(bytes, 77, 77, 0, 42) || begins(bytes, 73, 73, 43, 0);
 
 async function readPng(bytes) {
   const view = new DataView(bytes.buffer);

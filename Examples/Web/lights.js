@@ -67,10 +67,19 @@ export function otherKind(light, field, scene) {
   if (kind === "point") {
     const angles = anglesOf(position.map((c, k) => c - middle[k]));
     const low = scene.useFloor ? lowest : 0;
-    return { kind: "sun", azimuth: round(angles.azimuth, 6), altitude: round(Math.max(angles.altitude, low), 6), ...rest };
+    return {
+      kind: "sun",
+      azimuth: round(angles.azimuth, 6),
+      altitude: round(Math.max(angles.altitude, low), 6),
+      ...rest,
+    };
   }
   const far = Math.max(...extentOf(field)) * 0.6;
-  return { kind: "point", position: directionOf(light).map((c, k) => round(middle[k] + far * c, 9)), ...rest };
+  return {
+    kind: "point",
+    position: directionOf(light).map((c, k) => round(middle[k] + far * c, 9)),
+    ...rest,
+  };
 }
 
 export function describe(light, field, scene) {
@@ -241,7 +250,10 @@ export class LightDots {
         const [u, v] = placeOfLight(light, field);
         const [w, h] = extentOf(field);
         const step = 0.01 * steps * Math.min(w, h);
-        this.page.changeLight(moveLight(light, [u + (dx * step) / w, v + (dy * step) / h], field, state.scene), "keys");
+        this.page.changeLight(
+          moveLight(light, [u + (dx * step) / w, v + (dy * step) / h], field, state.scene),
+          "keys",
+        );
       }
     } else if (event.key === "PageUp" || event.key === "PageDown") {
       this.raise(event.key === "PageUp" ? steps : -steps, "keys");

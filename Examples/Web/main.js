@@ -27,7 +27,10 @@ class Page {
       wrong: (error) => this.alert(error.message),
       busy: (busy) => (find("#busy").hidden = !busy),
       host: (name) => (document.documentElement.dataset.host = name),
-      lost: (lost) => (lost ? this.alert("The graphics processor was lost; the picture comes back with it.") : this.alert("")),
+      lost: (lost) =>
+        lost
+          ? this.alert("The graphics processor was lost; the picture comes back with it.")
+          : this.alert(""),
     };
     const host = new URLSearchParams(location.search).get("host");
     this.picture = new Picture(find("#canvas"), this.assets, on, host);
@@ -43,10 +46,14 @@ class Page {
   //------------------------------------------------------------------------------------------------
   listen() {
     const list = find("#example");
-    list.append(...this.examples.map(({ name, label }) => make("option", { value: name, textContent: label })));
+    list.append(
+      ...this.examples.map(({ name, label }) => make("option", { value: name, textContent: label })),
+    );
     list.append(make("option", { value: "", textContent: "Own file", disabled: true }));
     list.addEventListener("change", () => this.guard(() => this.openExample(list.value)));
-    find("#open").addEventListener("click", () => choose(heightFiles, (file) => this.guard(() => this.open(file, "heights"))));
+    find("#open").addEventListener("click", () =>
+      choose(heightFiles, (file) => this.guard(() => this.open(file, "heights"))),
+    );
     find("#undo").addEventListener("click", () => this.history.undo());
     find("#redo").addEventListener("click", () => this.history.redo());
     find("#reset").addEventListener("click", () => this.reset());
@@ -78,14 +85,19 @@ class Page {
 
   dropped(event) {
     event.preventDefault();
-    const target = event.target instanceof Element ? (event.target.closest("[data-drop]") ?? find("#stage")) : find("#stage");
+    const target =
+      event.target instanceof Element
+        ? (event.target.closest("[data-drop]") ?? find("#stage"))
+        : find("#stage");
     document.querySelectorAll(".target").forEach((element) => element.classList.remove("target"));
     if (event.type === "dragenter" || event.type === "dragover") {
       target.classList.add("target");
     }
     const file = event.type === "drop" ? event.dataTransfer.files[0] : undefined;
     if (file) {
-      this.guard(() => (/\.json$/i.test(file.name) ? this.openScene(file) : this.open(file, target.dataset.drop ?? "heights")));
+      this.guard(() =>
+        /\.json$/i.test(file.name) ? this.openScene(file) : this.open(file, target.dataset.drop ?? "heights"),
+      );
     }
   }
 
@@ -124,7 +136,10 @@ class Page {
     }
     const buffer = await response.arrayBuffer();
     const read = await callFiles({ what: "heights", name: example.file, buffer }, [buffer]);
-    await this.show({ ...read, ...example.field, name: example.file, example: example.name }, scene ?? example.scene);
+    await this.show(
+      { ...read, ...example.field, name: example.file, example: example.name },
+      scene ?? example.scene,
+    );
   }
 
   async openLink() {
@@ -230,8 +245,15 @@ class Page {
     const [w, h] = extentOf(this.field);
     const [x, y] = this.field.origin;
     const z = middleHeight(this.field, scene) + Math.max(w, h) / 3;
-    const light = { kind: "point", position: [x + 0.7 * w, y + 0.7 * h, z].map((c) => Number(c.toPrecision(9))) };
-    this.history.change({ ...this.state, scene: { ...scene, lights: [...scene.lights, light] }, selected: scene.lights.length });
+    const light = {
+      kind: "point",
+      position: [x + 0.7 * w, y + 0.7 * h, z].map((c) => Number(c.toPrecision(9))),
+    };
+    this.history.change({
+      ...this.state,
+      scene: { ...scene, lights: [...scene.lights, light] },
+      selected: scene.lights.length,
+    });
   }
 
   removeLight() {
@@ -405,7 +427,9 @@ class Page {
     const environment = scene.environment?.image === "file" ? null : this.state.images.environment;
     this.history.change({ scene, selected: 0, images: { ...this.state.images, environment } });
     if (scene.environment?.image === "file") {
-      this.alert(`The scene's environment is the picture “${scene.environment.file}”: open it under Environment.`);
+      this.alert(
+        `The scene's environment is the picture “${scene.environment.file}”: open it under Environment.`,
+      );
     }
   }
 
@@ -435,7 +459,9 @@ class Page {
       }
       this.say("The exact picture is being made …");
       const { worst, share } = await this.compare();
-      this.say(`The largest difference from the exact sums is ${worst} of 255; ${(100 * share).toFixed(2)} % differ by more than 2.`);
+      this.say(
+        `The largest difference from the exact sums is ${worst} of 255; ${(100 * share).toFixed(2)} % differ by more than 2.`,
+      );
     });
   }
 

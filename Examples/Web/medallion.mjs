@@ -7,7 +7,8 @@ const field = 0.05; // height of the medallion's field above the plate that it l
 const golden = Math.PI * (3 - Math.sqrt(5));
 
 // Half an ellipse, across a line or about a point.
-const ridge = (distance, halfWidth, height) => height * Math.sqrt(Math.max(1 - (distance / halfWidth) ** 2, 0));
+const ridge = (distance, halfWidth, height) =>
+  height * Math.sqrt(Math.max(1 - (distance / halfWidth) ** 2, 0));
 
 function petals(radius, angle) {
   let height = 0;
@@ -33,7 +34,9 @@ function wreath(radius, angle) {
   const across = turned - Math.round(turned);
   const along = (radius - 0.73) / 0.1;
   const width = 0.46 * Math.sqrt(Math.max(1 - along * along, 0)) + 1e-6;
-  return 0.03 * Math.sqrt(Math.max(1 - (across / width) ** 2, 0)) * (1 - 0.3 * Math.exp(-((across / 0.06) ** 2)));
+  return (
+    0.03 * Math.sqrt(Math.max(1 - (across / width) ** 2, 0)) * (1 - 0.3 * Math.exp(-((across / 0.06) ** 2)))
+  );
 }
 
 function addBall(heights, size, first, step, [cx, cy], radius, base) {
@@ -73,13 +76,16 @@ export function medallionHeights(size) {
       height += ridge(radius - 0.95, 0.05, 0.05);
       height += ridge(radius - 0.855, 0.012, 0.015) + ridge(radius - 0.605, 0.012, 0.015);
       height += wreath(radius, angle);
-      height = Math.max(height, radius < 0.6 ? petals(radius, angle) : 0, field + ridge(radius, 0.27, 0.05) - (radius > 0.27 ? field : 0));
+      const flower = radius < 0.6 ? petals(radius, angle) : 0;
+      const dome = radius < 0.27 ? field + ridge(radius, 0.27, 0.05) : 0;
+      height = Math.max(height, flower, dome);
       heights[j * size + i] = height;
     }
   }
   for (let k = 1; k < 160; ++k) {
     const [r, turn] = [0.245 * Math.sqrt(k / 160), k * golden];
-    addBall(heights, size, first, step, [r * Math.cos(turn), r * Math.sin(turn)], 0.014 + (0.006 * k) / 160, field + ridge(r, 0.27, 0.05));
+    const center = [r * Math.cos(turn), r * Math.sin(turn)];
+    addBall(heights, size, first, step, center, 0.014 + (0.006 * k) / 160, field + ridge(r, 0.27, 0.05));
   }
   for (let k = 0; k < 96; ++k) {
     const turn = (k * Math.PI) / 48;

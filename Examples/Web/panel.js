@@ -3,7 +3,19 @@
 // The panel: every control, made of the package's list of parameters. A control shows a part of the state, and
 // asks the page to change it.
 
-import { button, check, color, pictureRow, radios, row, section, select, slider, titleOf, wide } from "./controls.js";
+import {
+  button,
+  check,
+  color,
+  pictureRow,
+  radios,
+  row,
+  section,
+  select,
+  slider,
+  titleOf,
+  wide,
+} from "./controls.js";
 import { extentOf, middleHeight, otherKind } from "./lights.js";
 import { colorToHex, hexToColor, rowOf, usualOf, usualSun } from "./scene.js";
 
@@ -119,7 +131,10 @@ export class Panel {
       onEnd: this.onEnd(),
     });
     this.shows.push(() => control.show(colorToHex(this.valueOf(parameter))));
-    return [control.element, this.image(texture, `${label} image`, "A picture over the whole relief in place of the colour")];
+    return [
+      control.element,
+      this.image(texture, `${label} image`, "A picture over the whole relief in place of the colour"),
+    ];
   }
 
   image(role, label, title) {
@@ -172,7 +187,11 @@ export class Panel {
     });
     const add = button("Add", "Another light", () => page.addLight());
     const remove = button("Remove", "Take this light away", () => page.removeLight());
-    const on = check({ label: "Shines", title: titleOf(rowOf("light", "on")), onChange: (value) => change({ on: value }) });
+    const on = check({
+      label: "Shines",
+      title: titleOf(rowOf("light", "on")),
+      onChange: (value) => change({ on: value }),
+    });
     const kind = radios({
       label: "Kind",
       options: [
@@ -203,7 +222,8 @@ export class Panel {
 
   lightPlace(change) {
     const { page } = this;
-    const plain = (label, title, range, onInput) => slider({ label, title, range, onInput, onEnd: this.onEnd() });
+    const plain = (label, title, range, onInput) =>
+      slider({ label, title, range, onInput, onEnd: this.onEnd() });
     const distance = plain(
       "Distance",
       "Height of the lamp above the middle of the relief, in the unit of lengths.",
@@ -305,17 +325,27 @@ export class Panel {
       "Relief",
       this.number("scene", "heightScale", "Height scale", { range: heights }),
       depthControl.element,
-      this.automatic("material", "subsurfaceDepth", "Automatic depth", automatic, () => page.automatic("subsurfaceDepth")),
+      this.automatic("material", "subsurfaceDepth", "Automatic depth", automatic, () =>
+        page.automatic("subsurfaceDepth"),
+      ),
       this.choice("material", "offsetMode", "Way down"),
       this.choice("material", "attenuation"),
       this.number("material", "density", null, { active: exponential }),
       this.choice("scene", "response"),
-      this.image("mask", "Mask", "Where the picture is black or transparent there is no relief; it has the size of the heights"),
+      this.image(
+        "mask",
+        "Mask",
+        "Where the picture is black or transparent there is no relief; it has the size of the heights",
+      ),
     );
   }
 
   colorSection() {
-    return section("Colours", ...this.tint("diffuseColor", "Diffuse", "diffuse"), ...this.tint("baseColor", "Base", "base"));
+    return section(
+      "Colours",
+      ...this.tint("diffuseColor", "Diffuse", "diffuse"),
+      ...this.tint("baseColor", "Base", "base"),
+    );
   }
 
   highlightSection() {
@@ -340,9 +370,11 @@ export class Panel {
       label: "Floor",
       title: titleOf(rowOf("material", "useFloor")),
       onChange: (on) =>
-        page.changeScene(on && page.state.scene.floorHeight === undefined
-          ? { useFloor: on, floorHeight: page.floorBelow() }
-          : { useFloor: on }),
+        page.changeScene(
+          on && page.state.scene.floorHeight === undefined
+            ? { useFloor: on, floorHeight: page.floorBelow() }
+            : { useFloor: on },
+        ),
     });
     this.shows.push(() => control.show(floor()));
     return section(
@@ -447,7 +479,9 @@ export class Panel {
         button("Save picture", "PNG in full resolution, by the exact sums", () => page.savePicture()),
         button("Save scene", "The file that reliefshade --scene takes", () => page.saveScene()),
         button("Open scene…", "A scene's file", () => page.chooseScene()),
-        button("Copy link", "A link that has the scene; pictures that were opened are not in it", () => page.copyLink()),
+        button("Copy link", "A link that has the scene; pictures that were opened are not in it", () =>
+          page.copyLink(),
+        ),
         button("Check", "Compares what is shown with the exact sums", () => page.check()),
       ),
     );

@@ -58,7 +58,11 @@ const degree = Math.PI / 180;
 
 export function directionOf({ azimuth, altitude }) {
   const level = Math.cos(altitude * degree);
-  return [Math.sin(azimuth * degree) * level, Math.cos(azimuth * degree) * level, Math.sin(altitude * degree)];
+  return [
+    Math.sin(azimuth * degree) * level,
+    Math.cos(azimuth * degree) * level,
+    Math.sin(altitude * degree),
+  ];
 }
 
 export function anglesOf([x, y, z]) {
@@ -133,7 +137,13 @@ export async function rendererScene(state, assets) {
   for (const name of Object.keys(textureKeys)) {
     textures[name] = assets.get(state.images[name]);
   }
-  return { ...whole, material, textures, lights: scene.lights, environmentLights: await lightsOf(state, assets) };
+  return {
+    ...whole,
+    material,
+    textures,
+    lights: scene.lights,
+    environmentLights: await lightsOf(state, assets),
+  };
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -5,7 +5,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { environmentLights, fitHeightScale, makePlane, makeRandom, makeTerrain, parameters, shade } from "./Shared.mjs";
+import {
+  environmentLights,
+  fitHeightScale,
+  makePlane,
+  makeRandom,
+  makeTerrain,
+  parameters,
+  shade,
+} from "./Shared.mjs";
 
 const sine = (degrees) => Math.sin((degrees * Math.PI) / 180);
 const near = (value, expected, bound, text) =>
@@ -329,6 +337,12 @@ test("the lights of an environment light level ground as it does", async () => {
   }
   assert.deepEqual(await environmentLights({}), []);
   assert.deepEqual(await environmentLights({ environment: { image: "none" } }), []);
-  await assert.rejects(environmentLights({ environment: { image: "whiteDome", radius: 5 } }), /environment.radius: 5 was given/);
-  await assert.rejects(environmentLights({ environment: { image: "file", file: "a.exr" } }), /is not read here/);
+  await assert.rejects(
+    environmentLights({ environment: { image: "whiteDome", radius: 5 } }),
+    /environment.radius: 5 was given/,
+  );
+  await assert.rejects(
+    environmentLights({ environment: { image: "file", file: "a.exr" } }),
+    /is not read here/,
+  );
 });
