@@ -89,7 +89,8 @@ export function describe(light, field, scene) {
   }
   const [u, v] = placeOfLight(light, field);
   const above = light.position[2] - middleHeight(field, scene);
-  return `Point light ${(100 * u).toFixed(0)} % from the left, ${(100 * v).toFixed(0)} % from the top, ${Number(above.toPrecision(3))} up${off}`;
+  const percent = (share) => `${(100 * share).toFixed(0)} %`;
+  return `Point light ${percent(u)} across, ${percent(v)} down, ${Number(above.toPrecision(3))} up${off}`;
 }
 
 //--------------------------------------------------------------------------------------------------
