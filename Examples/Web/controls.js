@@ -51,7 +51,9 @@ export function slider({ label, title, range: [from, to, power], low, high, whol
   const track = make("input", { type: "range", id, min: 0, max: steps, step: 1, title });
   const number = make("input", { type: "number", step: "any", title, "aria-label": `${label}, number` });
   const text = (value) =>
-    value !== 0 && Math.abs(value) < 1e-3 ? Number(value.toPrecision(3)).toExponential() : String(digits(value));
+    value !== 0 && Math.abs(value) < 1e-3
+      ? Number(value.toPrecision(3)).toExponential()
+      : String(digits(value));
   const limits = (value) => Math.min(Math.max(value, low ?? -Infinity), high ?? Infinity);
   let shown = NaN;
   track.addEventListener("input", () => {
