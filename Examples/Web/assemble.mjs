@@ -14,7 +14,6 @@ import {
   rmSync,
   writeFileSync,
 } from "node:fs";
-import { createRequire } from "node:module";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -98,7 +97,10 @@ function copyLibraries() {
 
 async function writeExamples() {
   const { encode } = await import(pathToFileURL(join(modules, "fast-png", "lib", "index.js")));
-  const { fromArrayBuffer } = createRequire(pathToFileURL(join(modules, "x.js")))("geotiff");
+  // As modules: what is for CommonJS wants a Node.js that mixes both.
+  const { fromArrayBuffer } = await import(
+    pathToFileURL(join(modules, "geotiff", "dist-module", "geotiff.js"))
+  );
   const folder = join(output, "examples");
   mkdirSync(folder, { recursive: true });
   const write = (name, data, width, height) =>

@@ -10,7 +10,8 @@ import path from 'node:path';
 
 import { giveUp } from './browser.mjs';
 
-const VERSION = '1.65.1';
+// Of those that run in Node.js 18, which Debian 12 has.
+const VERSION = '1.60.0';
 const [folder, npm] = process.argv.slice(2);
 if (!npm || !fs.existsSync(npm))
 {
