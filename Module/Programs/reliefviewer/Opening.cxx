@@ -226,12 +226,12 @@ bool MainWindow::OpenScene(const QString& file)
 //------------------------------------------------------------------------------
 void MainWindow::ChooseAndOpen()
 {
-  const QString file =
-    QFileDialog::getOpenFileName(this, tr("Open a height field or a scene"), this->Folder,
-      tr("Height fields and scenes (*.tif *.tiff *.asc *.png *.exr *.hdr *.pfm *.img *.dem *.hgt "
-         "*.bil "
-         "*.vrt *.nc *.jp2 *.obj *.vtk *.ply *.stl *.vtp *.gltf *.glb *.json);;Scenes (*.json);;All "
-         "files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a height field or a scene"),
+    this->Folder,
+    tr("Height fields and scenes (*.tif *.tiff *.asc *.png *.exr *.hdr *.pfm *.img *.dem *.hgt "
+       "*.bil "
+       "*.vrt *.nc *.jp2 *.obj *.vtk *.ply *.stl *.vtp *.gltf *.glb *.json);;Scenes (*.json);;All "
+       "files (*)"));
   if (!file.isEmpty())
   {
     this->Open(file);
