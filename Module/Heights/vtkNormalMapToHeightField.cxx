@@ -456,11 +456,12 @@ relief::NormalMap vtkNormalMapToHeightField::ReadMap(
 
 //------------------------------------------------------------------------------
 // Throws a std::range_error for heights that no surface with such normals has: the steepest that is
-// of use rises by 1000 from one sample to the next. Of depths the logarithm must be a number.
-void vtkNormalMapToHeightField::CheckRange(
-  const relief::NormalMap& map, const std::vector<double>& heights, bool perspective)
+// of use rises by 1000 times the distance of two samples. Of depths the logarithm must be a number.
+void vtkNormalMapToHeightField::CheckRange(const relief::NormalMap& map,
+  const relief::NormalIntegration& integration, const std::vector<double>& heights)
 {
-  const double most = perspective ? 700.0 : 1000.0 * (double(map.columns) + map.rows) * 1000.0;
+  const double size = integration.spacing[0] * map.columns + integration.spacing[1] * map.rows;
+  const double most = integration.camera.perspective ? 700.0 : 1e6 * size;
   for (double height : heights)
   {
     // NaN is no data.
@@ -521,7 +522,7 @@ bool vtkNormalMapToHeightField::Integrate(const Inputs& inputs, vtkDataArray* re
   {
     return false;
   }
-  this->CheckRange(map, heights, perspective);
+  this->CheckRange(map, integration, heights);
   const bool fromMinimum = this->Datum == Minimum && !perspective;
   this->NumberOfParts = relief::LevelHeights(
     map, fromMinimum ? relief::HeightDatum::Minimum : relief::HeightDatum::Mean, heights);

@@ -311,8 +311,8 @@ private:
   relief::NormalCamera MakeCamera(const int* dimensions) const;
   relief::NormalMap ReadMap(const Inputs& inputs, const relief::NormalIntegration& integration);
   bool Integrate(const Inputs& inputs, vtkDataArray* result);
-  void CheckRange(
-    const relief::NormalMap& map, const std::vector<double>& heights, bool perspective);
+  void CheckRange(const relief::NormalMap& map, const relief::NormalIntegration& integration,
+    const std::vector<double>& heights);
 };
 
 #endif

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
@@ -166,11 +167,13 @@ int vtkReliefCompression::RequestUpdateExtent(
 // will be depends on the depth: each takes what is left a little farther.
 std::function<void(int, const std::function<void(int, int)>&)> vtkReliefCompression::Watched()
 {
-  return [this, left = 1.0](int count, const std::function<void(int, int)>& body) mutable
+  // Copies of it count together.
+  const auto left = std::make_shared<double>(1.0);
+  return [this, left](int count, const std::function<void(int, int)>& body)
   {
     constexpr double usualLoops = 2000.0;
-    left *= 1.0 - 1.0 / usualLoops;
-    this->UpdateProgress(1.0 - left);
+    *left *= 1.0 - 1.0 / usualLoops;
+    this->UpdateProgress(1.0 - *left);
     if (vtkReliefIsAborted(this))
     {
       throw Ended();

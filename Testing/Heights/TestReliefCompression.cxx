@@ -500,7 +500,7 @@ void TestRefusals()
 void TestProgress()
 {
   vtkNew<vtkReliefCompression> compression;
-  compression->SetInputData(MakeHeights(64, 64, Dome));
+  compression->SetInputData(MakeHeights(200, 200, Dome));
   struct Watch
   {
     vtkReliefCompression* filter;
@@ -523,14 +523,16 @@ void TestProgress()
   compression->AddObserver(vtkCommand::ProgressEvent, command);
   compression->Update();
   CHECK(watch.events > 20 && watch.rises);
-  CHECK(compression->GetOutput()->GetNumberOfPoints() == 64 * 64);
+  CHECK(compression->GetOutput()->GetNumberOfPoints() == 200 * 200);
 
   const int all = watch.events;
   watch = { compression };
   watch.end = true;
   compression->Modified();
   compression->Update();
-  CHECK(watch.events < all / 2);
+  std::cout << "progress told " << all << " times, " << watch.events << " until it ended"
+            << std::endl;
+  CHECK(watch.events < 20 && all > 100);
   CHECK(compression->GetOutput()->GetNumberOfPoints() == 0);
 }
 }
