@@ -101,7 +101,7 @@ class Relief:
     def _set_output(self, values, scene):
         try:
             kind = np.dtype(values.get("dtype", "uint8"))
-        except TypeError:
+        except Exception:  # which NumPy raises depends on the value, and what its text does
             kind = None
         if kind not in (np.uint8, np.float32):
             raise ValueError(f"dtype: {shown(values['dtype'])} was given, uint8 or float32 is expected")

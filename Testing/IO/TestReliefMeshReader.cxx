@@ -515,7 +515,7 @@ void RefusedObj(const std::string& name, const std::string& content, const std::
 void TestObjLines()
 {
   const std::string mark = "\xEF\xBB\xBF";
-  const std::string tent = "v 0 0 0\nv 1 0 .5\nv 1. 2e0 +5.0E-1 # peak\nv 0 2 -0 1 0,5 x\n"
+  const std::string tent = "v 0 0 0\nv 1 0 .5\nv 1. 2e0 5.0E-1 # peak\nv 0 2 -0 1 0,5 x\n"
                            "vt 0 0\nvn 0 0 1\n";
   const std::string faces = "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n";
   // Comments, empty lines and names behind the mark harm nothing.
