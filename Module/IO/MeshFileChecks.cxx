@@ -121,6 +121,20 @@ void CheckGlb(OpenFile& file)
   {
     RefuseEnd(Bytes(begin.size() < 12 ? 12 : Number(begin, 8), file.size));
   }
+  // Its chunks, each with its length and type in front, fill it.
+  const std::uint64_t length = Number(begin, 8);
+  for (std::uint64_t at = 12; at < length || at == 12;)
+  {
+    std::string front(8, '\0');
+    file.stream.clear();
+    file.stream.seekg(static_cast<std::streamoff>(at));
+    const bool there = at + 8 <= length && file.stream.read(front.data(), 8);
+    at += there ? 8 + Number(front, 0) : 0;
+    if (!there || at > length)
+    {
+      RefuseEnd("it ends early: a chunk of it is not all there");
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -299,16 +313,11 @@ bool NextObjLine(std::istream& stream, ObjLine& line, std::uint64_t& read)
   return true;
 }
 
-// The reader passes over the mark with the word behind it, which harms a comment or a name only.
+// Some readers pass over the mark with the word behind it, others complain.
 void CheckObjMark(const ObjLine& line)
 {
   static const char* const mark = "\xEF\xBB\xBF";
-  if (line.Number != 1 || line.Text.compare(0, 3, mark) != 0)
-  {
-    return;
-  }
-  const std::string word = line.Text.substr(3, line.Text.find_first_of(Blanks) - 3);
-  if (!word.empty() && word[0] != '#' && word != "o" && word != "mtllib")
+  if (line.Number == 1 && line.Text.compare(0, 3, mark) == 0)
   {
     RefuseLine(1,
       "a byte order mark of UTF-8 is in front of " + Quoted(line.Text.substr(3)) +
