@@ -89,7 +89,7 @@ void ForgetMemory(void* part, std::size_t bytes)
   {
     return;
   }
-  void* first = reinterpret_cast<void*>(pages.first);
+  void* first = static_cast<char*>(part) + (pages.first - reinterpret_cast<std::uintptr_t>(part));
   const std::size_t size = pages.end - pages.first;
 #ifdef __linux__
   madvise(first, size, MADV_DONTNEED);
@@ -109,7 +109,10 @@ std::size_t CountResidentMemory(const void* part, std::size_t bytes)
   for (std::uintptr_t first = pages.first; first < pages.end; first += most * PageSize())
   {
     const std::size_t size = std::min<std::size_t>(pages.end - first, most * PageSize());
-    if (mincore(reinterpret_cast<void*>(first), size, resident.data()) == 0)
+    // It takes the memory as something to write to, and does not.
+    char* page = const_cast<char*>(static_cast<const char*>(part)) +
+      static_cast<std::ptrdiff_t>(first - reinterpret_cast<std::uintptr_t>(part));
+    if (mincore(page, size, resident.data()) == 0)
     {
       count += std::count_if(resident.begin(), resident.begin() + size / PageSize(),
         [](unsigned char page) { return (page & 1) != 0; });

@@ -147,6 +147,7 @@ PyModuleDef Definition = { PyModuleDef_HEAD_INIT, "_pipeline",
 
 }
 
+// Python asks for this name. NOLINTNEXTLINE(bugprone-reserved-identifier)
 PyMODINIT_FUNC PyInit__pipeline()
 {
   return PyModule_Create(&Definition);
