@@ -351,39 +351,39 @@ def styles(subjects):
                                                 ("glossy", style(0.003, 0.6, 256, 6.0)), ("sixteen lights", style(0.003, 0.0, 16, 3.6))])
 
 
-def relief_methods(subjects):
-    owl = subjects.owl()
-    result = panels(owl, [("its full depth", lambda stage: stage.scene.AddSun(300.0, 35.0))])
-    for label, method in (("in proportion", "Linear"), ("two scales", "TwoScale"), ("gradient domain", "GradientDomain")):
-        squeeze = rs.vtkReliefCompression()
-        squeeze.SetInputData(owl)
-        squeeze.SetHeightBudget(0.05)
-        getattr(squeeze, "SetMethodTo" + method)()
-        panel, = panels(squeeze.GetOutputPort(), [(label, lambda stage: stage.scene.AddSun(300.0, 35.0))])
-        panel.told = f"`vtkReliefCompression`: HeightBudget 0.05, {method}; " + panel.told
+def by_methods(algorithm, methods, told):
+    """A panel for each method of an algorithm that makes heights: its label and name."""
+    result = []
+    for label, method in methods:
+        getattr(algorithm, "SetMethodTo" + method)()
+        panel, = panels(algorithm.GetOutputPort(), [(label, lambda stage: stage.scene.AddSun(300.0, 35.0))])
+        panel.told = f"`{algorithm.GetClassName()}`: {told}{method}; {panel.told}"
         result.append(panel)
     return result
+
+
+def relief_methods(subjects):
+    owl = subjects.owl()
+    squeeze = rs.vtkReliefCompression()
+    squeeze.SetInputData(owl)
+    squeeze.SetHeightBudget(0.05)
+    methods = [("in proportion", "Linear"), ("two scales", "TwoScale"), ("gradient domain", "GradientDomain")]
+    return (panels(owl, [("its full depth", lambda stage: stage.scene.AddSun(300.0, 35.0))])
+            + by_methods(squeeze, methods, "HeightBudget 0.05, "))
 
 
 def normal_methods(subjects):
-    heights = subjects.on_plate("owl")
-    stage = Stage(heights)
+    stage = Stage(subjects.on_plate("owl"))
     stage.scene.AddSun(300.0, 35.0)
     normals = stage.layer("Normals")
-    result = [Panel("the figure", stage.picture(), stage.told())]
     # As a camera measures them, with some noise.
-    noisy = normals + np.random.default_rng(1).normal(0.0, 0.05, normals.shape)
-    for label, method in (("sums along paths", "PathSums"), ("least squares", "LeastSquares"),
-                          ("with cliffs", "DiscontinuityPreserving")):
-        integration = rs.vtkNormalMapToHeightField()
-        integration.SetInputData(image_of(noisy))
-        integration.SetEncodingToSigned()
-        integration.SetGreenToUp()
-        getattr(integration, "SetMethodTo" + method)()
-        panel, = panels(integration.GetOutputPort(), [(label, lambda stage: stage.scene.AddSun(300.0, 35.0))])
-        panel.told = f"`vtkNormalMapToHeightField`: {method}; " + panel.told
-        result.append(panel)
-    return result
+    integration = rs.vtkNormalMapToHeightField()
+    integration.SetInputData(image_of(normals + np.random.default_rng(1).normal(0.0, 0.05, normals.shape)))
+    integration.SetEncodingToSigned()
+    integration.SetGreenToUp()
+    methods = [("sums along paths", "PathSums"), ("least squares", "LeastSquares"),
+               ("with cliffs", "DiscontinuityPreserving")]
+    return [Panel("the figure", stage.picture(), stage.told())] + by_methods(integration, methods, "")
 
 
 FIGURES = [
