@@ -29,10 +29,13 @@
 #include "PictureExposure.h"
 #include "PreparedScene.h"
 #include "SceneShading.h"
+#include "TiledHeights.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <new>
+#include <vector>
 
 vtkStandardNewMacro(vtkImageReliefShading);
 
@@ -106,6 +109,9 @@ public:
   std::string MakeOutput(vtkImageData* input, vtkInformation* outInfo,
     vtkSmartPointer<vtkDataArray>& last, relief::Target& target);
   std::unique_ptr<relief::SceneShading> Plan(const relief::Target& target);
+  relief::SceneShading* PlanTile(const relief::Target& target);
+  relief::hosts::WindowProvider GetProvider();
+  void FindExposure();
   bool IsAborted() const;
   bool ShadeBands(const relief::Target& target, relief::SceneShading& shading);
   void Tell(const relief::SceneShading& shading);
@@ -116,6 +122,18 @@ public:
   // What it was found from: parts of a picture are of one exposure, which is found once.
   std::uint64_t ExposedScene = 0;
   std::uint64_t ExposedField = 0;
+
+  // Of heights that are read as they are needed: all of their tiles are shaded by one object, whose
+  // counts go on from tile to tile.
+  struct TileShading
+  {
+    std::unique_ptr<relief::SceneShading> shading;
+    std::uint64_t scene = 0;
+    std::uint64_t field = 0;
+    std::vector<bool> layers;
+    std::uint64_t rays = 0;
+    std::uint64_t cells = 0;
+  } Tiles;
 
   // Kept between updates.
   relief::hosts::HostInputs Inputs;
@@ -192,6 +210,7 @@ void vtkImageReliefShading::SetCacheMemoryLimit(unsigned long kibibytes)
 void vtkImageReliefShading::ReleaseCache()
 {
   this->Internal->Inputs.Release();
+  this->Internal->Tiles = Internals::TileShading();
   this->Internal->Cache.Keep({});
 }
 
@@ -236,7 +255,11 @@ std::string vtkImageReliefShading::PrepareModel(
   const relief::HeightField*& field, relief::Scene& scene)
 {
   Internals& internal = *this->Internal;
-  const std::string wrong = internal.Prepare(this->UpdateInputs());
+  std::string wrong = internal.Prepare(this->UpdateInputs());
+  if (wrong.empty() && internal.Inputs.GetTiledHeights())
+  {
+    wrong = "the heights are read as they are needed; heights in memory are expected";
+  }
   if (wrong.empty())
   {
     field = &internal.Inputs.GetField();
@@ -406,6 +429,73 @@ std::string vtkImageReliefShading::Internals::MakeOutput(vtkImageData* input,
 }
 
 //------------------------------------------------------------------------------
+// What fills heights that are read as they are needed; none where all are in memory.
+relief::hosts::WindowProvider vtkImageReliefShading::Internals::GetProvider()
+{
+  using relief::hosts::HeightSupply;
+  relief::hosts::TiledHeights* heights = this->Inputs.GetTiledHeights();
+  return !heights ? relief::hosts::WindowProvider()
+                  : [this, heights](const std::vector<HeightSupply::Window>& windows)
+  { heights->Provide(this->Scene.Get(), this->Scene.GetVersion(), windows); };
+}
+
+//------------------------------------------------------------------------------
+// The exposure of 8-bit output, unless it is at hand.
+void vtkImageReliefShading::Internals::FindExposure()
+{
+  const std::uint64_t version = this->Scene.GetVersion();
+  const std::uint64_t field = this->Inputs.GetField().GetVersion();
+  if (this->Self->OutputScalarType == VTK_FLOAT)
+  {
+    this->Exposure = relief::hosts::PictureExposure();
+    this->ExposedScene = 0;
+  }
+  else if (this->ExposedScene != version || this->ExposedField != field)
+  {
+    this->Exposure = relief::hosts::FindExposure(
+      this->Inputs.GetScene(), this->Inputs.GetField(), this->Scene.Get(), this->GetProvider());
+    this->ExposedScene = version;
+    this->ExposedField = field;
+  }
+  else
+  {
+    this->Exposure.rays = this->Exposure.cells = 0; // no work of this run's
+  }
+}
+
+//------------------------------------------------------------------------------
+// Provides the heights that a part of the picture depends on. What is planned holds for all tiles.
+relief::SceneShading* vtkImageReliefShading::Internals::PlanTile(const relief::Target& target)
+{
+  this->FindExposure();
+  this->GetProvider()(
+    { { target.i0, target.i0 + target.width, target.j0, target.j0 + target.rows } });
+  const std::vector<bool> layers{ target.rgba8 != nullptr, target.illumination != nullptr,
+    target.thickness != nullptr, target.shadow != nullptr, target.normals != nullptr,
+    target.base != nullptr, target.diffuse != nullptr, target.scatter != nullptr,
+    target.specular != nullptr };
+  const std::uint64_t version = this->Scene.GetVersion();
+  const std::uint64_t field = this->Inputs.GetField().GetVersion();
+  TileShading& tiles = this->Tiles;
+  if (tiles.shading && tiles.scene == version && tiles.field == field && tiles.layers == layers)
+  {
+    tiles.shading->Redirect(target);
+    tiles.rays = tiles.shading->GetRaysTraced();
+    tiles.cells = tiles.shading->GetCellsVisited();
+    return tiles.shading.get();
+  }
+  relief::Scene scene = this->Scene.Get();
+  scene.exposure = this->Exposure.stops;
+  tiles.shading =
+    std::make_unique<relief::SceneShading>(this->Inputs.GetField(), scene, target, nullptr);
+  tiles.scene = version;
+  tiles.field = field;
+  tiles.layers = layers;
+  tiles.rays = tiles.cells = 0;
+  return tiles.shading.get();
+}
+
+//------------------------------------------------------------------------------
 // Null where there is no memory for it.
 std::unique_ptr<relief::SceneShading> vtkImageReliefShading::Internals::Plan(
   const relief::Target& target)
@@ -413,25 +503,8 @@ std::unique_ptr<relief::SceneShading> vtkImageReliefShading::Internals::Plan(
   this->Cache.SetLimit(static_cast<std::size_t>(this->Self->CacheMemoryLimit) * 1024);
   try
   {
+    this->FindExposure();
     relief::Scene scene = this->Scene.Get();
-    const std::uint64_t version = this->Scene.GetVersion();
-    const std::uint64_t field = this->Inputs.GetField().GetVersion();
-    if (!target.rgba8)
-    {
-      this->Exposure = relief::hosts::PictureExposure();
-      this->ExposedScene = 0;
-    }
-    else if (this->ExposedScene != version || this->ExposedField != field)
-    {
-      this->Exposure =
-        relief::hosts::FindExposure(this->Inputs.GetScene(), this->Inputs.GetField(), scene);
-      this->ExposedScene = version;
-      this->ExposedField = field;
-    }
-    else
-    {
-      this->Exposure.rays = this->Exposure.cells = 0; // no work of this run's
-    }
     scene.exposure = this->Exposure.stops;
     return std::make_unique<relief::SceneShading>(
       this->Inputs.GetField(), scene, target, &this->Cache);
@@ -497,8 +570,11 @@ void vtkImageReliefShading::Internals::Tell(const relief::SceneShading& shading)
 {
   this->Statistics->SetLightsReused(shading.GetLightsReused());
   this->Statistics->SetLightsTraced(shading.GetLightsTraced());
-  const std::uint64_t rays = shading.GetRaysTraced() + this->Exposure.rays;
-  const std::uint64_t cells = shading.GetCellsVisited() + this->Exposure.cells;
+  const bool tile = &shading == this->Tiles.shading.get();
+  const std::uint64_t rays =
+    shading.GetRaysTraced() - (tile ? this->Tiles.rays : 0) + this->Exposure.rays;
+  const std::uint64_t cells =
+    shading.GetCellsVisited() - (tile ? this->Tiles.cells : 0) + this->Exposure.cells;
   this->Statistics->SetRaysTraced(static_cast<vtkTypeInt64>(rays));
   this->Statistics->SetCellsVisited(static_cast<vtkTypeInt64>(cells));
   this->Statistics->SetExposure(this->Exposure.stops);
@@ -542,7 +618,22 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   }
 
   // What can be decided once, then all samples.
-  const std::unique_ptr<relief::SceneShading> shading = internal.Plan(target);
+  const bool tiled = internal.Inputs.GetTiledHeights() != nullptr;
+  std::unique_ptr<relief::SceneShading> whole;
+  relief::SceneShading* shading = nullptr;
+  try
+  {
+    whole = tiled ? nullptr : internal.Plan(target);
+    shading = tiled ? internal.PlanTile(target) : whole.get();
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
+  catch (const std::exception& error) // of who reads heights
+  {
+    return fail(error.what());
+  }
   if (!shading)
   {
     return fail(
@@ -571,7 +662,10 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
         }
       });
   }
-  shading->KeepIlluminations();
+  if (whole)
+  {
+    whole->KeepIlluminations();
+  }
   internal.Tell(*shading);
   return 1;
 }

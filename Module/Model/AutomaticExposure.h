@@ -20,6 +20,18 @@ public:
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Tiles.size()); }
 
+  ///@{
+  /// The first sample of a tile, which has the size of SweepThickness's as far as there is a field.
+  int GetFirstColumn(int tile) const
+  {
+    return this->Tiles[static_cast<std::size_t>(tile)].column * SweepThickness::TileWidth;
+  }
+  int GetFirstRow(int tile) const
+  {
+    return this->Tiles[static_cast<std::size_t>(tile)].row * SweepThickness::TileHeight;
+  }
+  ///@}
+
   /// Shades the tiles [begin, end); disjoint parts may be shaded at once.
   void Measure(int begin, int end);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightField.h"
 
+#include "HeightReader.h"
 #include "HeightRows.h"
 #include "HeightTypes.h"
 
@@ -54,83 +55,6 @@ std::string NumberText(double value)
            : (exponent < 0 ? "e-" : "e+") + std::string(power.size() < 2 ? "0" : "") + power);
 }
 
-// Turns a caller's rows into heights.
-template <class T>
-class RowReader
-{
-public:
-  explicit RowReader(const HeightSource<T>& source)
-    : Source(source)
-    , NoData(source.hasNoData ? NoDataOf<T>(source.noData) : std::nullopt)
-  {
-  }
-
-  // Heights as lengths above the datum, NaN without data. Real is double where float may not do.
-  template <class Real>
-  void Read(int j, double datum, Real* row) const
-  {
-    const T* values = this->Source.data + j * this->Source.stepY;
-    const std::ptrdiff_t step = this->Source.stepX;
-    const int columns = this->Source.columns;
-    const double scale = this->Source.scale;
-    if constexpr (std::is_same_v<T, float> && std::is_same_v<Real, float>)
-    {
-      if (step == 1)
-      {
-        ReadHeights(values, columns, scale, datum, this->NoData ? &*this->NoData : nullptr, row);
-        this->ApplyMask(j, row);
-        return;
-      }
-    }
-    if (step == 1)
-    {
-      for (int i = 0; i < columns; ++i)
-      {
-        row[i] = static_cast<Real>(static_cast<double>(values[i]) * scale - datum);
-      }
-    }
-    else
-    {
-      for (int i = 0; i < columns; ++i)
-      {
-        row[i] = static_cast<Real>(static_cast<double>(values[i * step]) * scale - datum);
-      }
-    }
-    const Real none = std::numeric_limits<Real>::quiet_NaN();
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      for (int i = 0; i < columns; ++i)
-      {
-        // False for NaN.
-        bool finite = std::abs(values[i * step]) <= std::numeric_limits<T>::max();
-        row[i] = finite ? row[i] : none;
-      }
-    }
-    if (this->NoData)
-    {
-      const T noData = *this->NoData;
-      for (int i = 0; i < columns; ++i)
-      {
-        row[i] = values[i * step] == noData ? none : row[i];
-      }
-    }
-    this->ApplyMask(j, row);
-  }
-
-private:
-  template <class Real>
-  void ApplyMask(int j, Real* row) const
-  {
-    for (int i = 0; this->Source.hasData && i < this->Source.columns; ++i)
-    {
-      row[i] = this->Source.hasData(i, j) ? row[i] : std::numeric_limits<Real>::quiet_NaN();
-    }
-  }
-
-  const HeightSource<T>& Source;
-  std::optional<T> NoData;
-};
-
 void AddRowToRange(const float* row, int columns, Range& range)
 {
   float lo = std::numeric_limits<float>::infinity();
@@ -167,7 +91,7 @@ Range RangeOfRows(int rows, const ParallelFor& parallelFor, Body&& body)
 // In double, whatever the datum.
 template <class T>
 Range ExactRange(
-  const HeightSource<T>& source, const RowReader<T>& reader, const ParallelFor& parallelFor)
+  const HeightSource<T>& source, const HeightReader<T>& reader, const ParallelFor& parallelFor)
 {
   return RangeOfRows(source.rows, parallelFor,
     [&](int begin, int end, Range& part)
@@ -345,7 +269,7 @@ template <class T>
 std::string HeightField::AssignCopy(
   const HeightSource<T>& source, const ParallelFor& parallelFor, bool padded)
 {
-  const RowReader<T> reader(source);
+  const HeightReader<T> reader(source);
   const float none = std::numeric_limits<float>::quiet_NaN();
   const int margin = padded ? Padding : 0;
   const std::size_t pitch = static_cast<std::size_t>(source.columns) + 2 * margin;

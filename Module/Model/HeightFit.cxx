@@ -53,13 +53,11 @@ struct Gradient
 };
 
 // The field's blocks.
-template <class T>
 class Blocks
 {
 public:
-  explicit Blocks(const HeightSource<T>& source)
+  explicit Blocks(const SampledHeights& source)
     : Source(source)
-    , NoData(source.hasNoData ? NoDataOf<T>(source.noData) : std::nullopt)
     , EdgeX(BlockEdge(source.columns, std::max(source.columns, source.rows)))
     , EdgeY(BlockEdge(source.rows, std::max(source.columns, source.rows)))
     , Columns((source.columns + this->EdgeX - 1) / this->EdgeX)
@@ -74,15 +72,13 @@ public:
   std::vector<double> GetSlopes() const;
 
 private:
-  bool Read(int i, int j, double& height) const;
   Mean MeanOf(int column, int row) const;
   const Mean& At(int column, int row) const
   {
     return this->Means[static_cast<std::size_t>(row) * this->Columns + column];
   }
 
-  const HeightSource<T>& Source;
-  std::optional<T> NoData;
+  const SampledHeights& Source;
   int EdgeX;
   int EdgeY;
   int Columns;
@@ -90,17 +86,7 @@ private:
   std::vector<Mean> Means;
 };
 
-template <class T>
-bool Blocks<T>::Read(int i, int j, double& height) const
-{
-  const T stored = this->Source.data[i * this->Source.stepX + j * this->Source.stepY];
-  height = static_cast<double>(stored);
-  return std::isfinite(height) && !(this->NoData && stored == *this->NoData) &&
-    !(this->Source.hasData && !this->Source.hasData(i, j));
-}
-
-template <class T>
-Mean Blocks<T>::MeanOf(int column, int row) const
+Mean Blocks::MeanOf(int column, int row) const
 {
   const int i0 = column * this->EdgeX;
   const int j0 = row * this->EdgeY;
@@ -121,7 +107,7 @@ Mean Blocks<T>::MeanOf(int column, int row) const
     {
       const int i = i0 + static_cast<int>((2LL * a + 1) * width / (2LL * alongX));
       double value = 0.0;
-      if (this->Read(i, j, value))
+      if (this->Source.read(i, j, value))
       {
         first = count == 0 ? value : first;
         sum += value - first;
@@ -141,8 +127,7 @@ Mean Blocks<T>::MeanOf(int column, int row) const
   return mean;
 }
 
-template <class T>
-void Blocks<T>::Measure(int row)
+void Blocks::Measure(int row)
 {
   for (int column = 0; column < this->Columns; ++column)
   {
@@ -150,8 +135,7 @@ void Blocks<T>::Measure(int row)
   }
 }
 
-template <class T>
-std::vector<double> Blocks<T>::GetHeights() const
+std::vector<double> Blocks::GetHeights() const
 {
   std::vector<double> heights;
   for (const Mean& mean : this->Means)
@@ -180,8 +164,7 @@ std::optional<Gradient> PlaneGradient(const Mean& corner, const Mean& alongX, co
 }
 
 // Between each four neighbouring means; where one lacks, between the others.
-template <class T>
-std::vector<double> Blocks<T>::GetSlopes() const
+std::vector<double> Blocks::GetSlopes() const
 {
   std::vector<double> slopes;
   for (int row = 0; row + 1 < this->Rows; ++row)
@@ -248,15 +231,14 @@ double SteepSlopeOf(std::vector<double> slopes, double gentle)
 }
 
 //------------------------------------------------------------------------------
-template <class T>
-double FitHeightScale(const HeightSource<T>& source, const ParallelFor& parallelFor)
+double FitHeightScale(const SampledHeights& source, const ParallelFor& parallelFor)
 {
   // Two blocks along each axis at least.
   if (source.columns < 2 || source.rows < 2)
   {
     return 0.0;
   }
-  Blocks<T> blocks(source);
+  Blocks blocks(source);
   parallelFor(blocks.GetRows(),
     [&blocks](int begin, int end)
     {
@@ -279,6 +261,22 @@ double FitHeightScale(const HeightSource<T>& source, const ParallelFor& parallel
   const double steep = SteepSlopeOf(std::move(slopes), GentleClimbs * relief / side);
   const double scale = std::min(SteepSlope / steep, HighestRelief * side / relief);
   return std::isfinite(scale) ? scale : 0.0;
+}
+
+//------------------------------------------------------------------------------
+template <class T>
+double FitHeightScale(const HeightSource<T>& source, const ParallelFor& parallelFor)
+{
+  const std::optional<T> noData = source.hasNoData ? NoDataOf<T>(source.noData) : std::nullopt;
+  SampledHeights samples{ source.columns, source.rows, source.spacingX, source.spacingY,
+    [&source, noData](int i, int j, double& height)
+    {
+      const T stored = source.data[i * source.stepX + j * source.stepY];
+      height = static_cast<double>(stored);
+      return std::isfinite(height) && !(noData && stored == *noData) &&
+        !(source.hasData && !source.hasData(i, j));
+    } };
+  return FitHeightScale(samples, parallelFor);
 }
 
 #define RELIEF_INSTANTIATE(T)                                                                      \

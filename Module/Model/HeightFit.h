@@ -4,8 +4,22 @@
 
 #include "HeightField.h"
 
+#include <functional>
+
 namespace relief
 {
+
+/// Heights of which only some samples are looked at.
+struct SampledHeights
+{
+  int columns = 0;
+  int rows = 0;
+  double spacingX = 1.0;
+  double spacingY = 1.0;
+  /// Reads a sample; returns whether it has data. Asked from several threads at once, by each for
+  /// the samples of a few rows at a time.
+  std::function<bool(int i, int j, double& height)> read;
+};
 
 /// The scale with which heights that have no unit make a good first picture; 0 where there is
 /// nothing to scale: no relief, no two rows or columns, no data. The source's own scale does not
@@ -22,6 +36,7 @@ namespace relief
 /// does not depend on how the rows are shared out.
 template <class T>
 double FitHeightScale(const HeightSource<T>& source, const ParallelFor& parallelFor);
+double FitHeightScale(const SampledHeights& source, const ParallelFor& parallelFor);
 
 }
 

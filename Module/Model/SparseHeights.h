@@ -43,7 +43,8 @@ public:
   /// Where heights come from: fills the samples [i0, i1) x [j0, j1), as float lengths above the
   /// field's datum, NaN without data. Sample (i, j) belongs at heights[(j - j0) * pitch + i - i0],
   /// which is where it stays. Called for some regions side by side, from several threads at once;
-  /// does not throw.
+  /// what it throws comes out, if the host's ParallelFor lets it, and then no region counts as
+  /// filled.
   using Source =
     std::function<void(int i0, int i1, int j0, int j1, float* heights, std::ptrdiff_t pitch)>;
 

@@ -5,8 +5,10 @@
 #include "HeightHash.h"
 #include "HeightSteps.h"
 #include "ImageFrame.h"
+#include "TiledHeights.h"
 
 #include <charconv>
+#include <exception>
 #include <new>
 
 namespace relief::hosts
@@ -22,12 +24,20 @@ double FitHeightScale(const HeightInputs& inputs, std::string& wrong)
   {
     try
     {
+      if (TiledHeights* tiled = FindTiled(inputs))
+      {
+        return tiled->FitScale(frame.Spacing);
+      }
       WithHeightSource(inputs, frame.Spacing,
         [&scale](const auto& heights) { scale = relief::FitHeightScale(heights, ForRows); });
     }
     catch (const std::bad_alloc&)
     {
       wrong = "there is not enough memory to look at the heights";
+    }
+    catch (const std::exception& error)
+    {
+      wrong = error.what();
     }
   }
   return scale;
@@ -49,7 +59,7 @@ bool ShowsTerraces(const HeightInputs& inputs)
 {
   const double spacing[2] = { 1.0, 1.0 };
   bool shows = false;
-  if (CheckHeights(inputs).empty() && inputs.scalars->GetDataType() != VTK_FLOAT &&
+  if (CheckHeights(inputs).empty() && !FindTiled(inputs) && inputs.scalars->GetDataType() != VTK_FLOAT &&
     inputs.scalars->GetDataType() != VTK_DOUBLE)
   {
     WithHeightSource(
@@ -64,7 +74,18 @@ std::uint64_t HashHeights(const HeightInputs& inputs, std::string& wrong)
   const double spacing[2] = { 1.0, 1.0 };
   std::uint64_t hash = 0;
   wrong = inputs.image ? CheckHeights(inputs) : "there are no heights";
-  if (wrong.empty())
+  if (wrong.empty() && FindTiled(inputs))
+  {
+    try
+    {
+      hash = FindTiled(inputs)->Survey().hash;
+    }
+    catch (const std::exception& error)
+    {
+      wrong = error.what();
+    }
+  }
+  else if (wrong.empty())
   {
     WithHeightSource(inputs, spacing,
       [&hash](const auto& heights) { hash = relief::HashHeights(heights, ForRows); });

@@ -188,6 +188,11 @@ std::string HostInputs::Update(vtkInformationVector** inputs,
     return "there are no heights";
   }
   PreparedHeights::Source source = ReadHeights(inputs, arrays, reading);
+  if (!sweeps && FindTiled(source))
+  {
+    return "the heights are read as they are needed, which is for vtkImageReliefShading; heights in "
+           "memory are expected";
+  }
   source.scale = this->Scene->GetHeightScale();
   // Where the image lies does not matter for that.
   source.padded = sweeps &&

@@ -93,6 +93,7 @@ public:
   /// What the last update prepared.
   const HeightField& GetField() const { return this->Heights.GetField(); }
   const ImageFrame& GetFrame() const { return this->Heights.GetFrame(); }
+  TiledHeights* GetTiledHeights() const { return this->Heights.GetTiled(); }
   PlacedTextures& GetTextures() { return this->Textures; }
   EnvironmentLights& GetEnvironmentLights() { return this->Environment; }
   ///@}

@@ -5,9 +5,12 @@
 /// @file
 /// The exposure at which a scene is shown. Not installed.
 
+#include "HeightSupply.h"
 #include "vtkReliefShadingModule.h" // For export macro
 
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 class vtkReliefScene;
 
@@ -27,10 +30,15 @@ struct PictureExposure
   std::uint64_t cells = 0;
 };
 
+/// Fills a field of tiled heights where some windows depend on it (TiledHeights::Provide).
+using WindowProvider = std::function<void(const std::vector<HeightSupply::Window>&)>;
+
 /// The scene's exposure, or, where it is automatic, the one that suits the picture (on all
-/// threads). `converted` is what the scene has become.
-VTKRELIEFSHADING_EXPORT PictureExposure FindExposure(
-  vtkReliefScene* scene, const HeightField& field, const Scene& converted);
+/// threads). `converted` is what the scene has become. A field that is not in memory as a whole
+/// needs a provider.
+VTKRELIEFSHADING_EXPORT PictureExposure FindExposure(vtkReliefScene* scene,
+  const HeightField& field, const Scene& converted,
+  const WindowProvider& provide = WindowProvider());
 }
 
 #endif

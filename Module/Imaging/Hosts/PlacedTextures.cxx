@@ -2,6 +2,7 @@
 #include "PlacedTextures.h"
 
 #include "ImageFrame.h"
+#include "TiledHeights.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -257,6 +258,13 @@ void PlacedTextures::Release()
 std::string PlacedTextures::MapHeights(ColorTexture& tint)
 {
   vtkDataArray* scalars = this->Heights.scalars;
+  tint.columns = this->Heights.image->GetDimensions()[0];
+  tint.rows = this->Heights.image->GetDimensions()[1];
+  if (auto* tiled = TiledHeights::SafeDownCast(scalars))
+  {
+    tint.texels = tiled->UseTable(this->Table);
+    return std::string();
+  }
   const auto madeFrom = std::make_tuple(this->Table->GetMTime(),
     std::max(this->Heights.image->GetMTime(), scalars->GetMTime()), static_cast<void*>(this->Table),
     static_cast<void*>(scalars));
@@ -291,8 +299,6 @@ std::string PlacedTextures::MapHeights(ColorTexture& tint)
     this->MadeFrom = madeFrom;
   }
   tint.texels = this->Colors->GetPointer(0);
-  tint.columns = this->Heights.image->GetDimensions()[0];
-  tint.rows = this->Heights.image->GetDimensions()[1];
   return std::string();
 }
 }

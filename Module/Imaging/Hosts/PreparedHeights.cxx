@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <new>
 
 namespace relief::hosts
@@ -22,7 +23,7 @@ std::string PreparedHeights::Update(const Source& source)
   }
   if (wrong.empty())
   {
-    wrong = this->Prepare(source);
+    wrong = FindTiled(source) ? this->PrepareTiled(source) : this->Prepare(source);
   }
   if (!wrong.empty())
   {
@@ -32,8 +33,33 @@ std::string PreparedHeights::Update(const Source& source)
 }
 
 //------------------------------------------------------------------------------
+std::string PreparedHeights::PrepareTiled(const Source& source)
+{
+  if (source.mask)
+  {
+    return "the heights are read as they are needed, and take no mask beside their own";
+  }
+  this->Field.reset();
+  this->InPlace = nullptr;
+  this->Tiled = FindTiled(source);
+  try
+  {
+    return this->Tiled->Prepare(source.scale, this->Frame.Spacing, source.padded);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "there is not enough memory for the bounds of the heights";
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string PreparedHeights::Prepare(const Source& source)
 {
+  this->Tiled = nullptr;
   // Images may share their scalars, and then their time.
   const Origin madeFrom(source.image,
     std::max(source.image->GetMTime(), source.scalars->GetMTime()),
@@ -74,6 +100,7 @@ std::string PreparedHeights::Prepare(const Source& source)
 void PreparedHeights::Release()
 {
   this->Field.reset();
+  this->Tiled = nullptr;
   this->InPlace = nullptr;
 }
 }

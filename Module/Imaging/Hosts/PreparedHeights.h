@@ -9,6 +9,7 @@
 #include "HeightField.h"
 #include "HeightInputs.h"
 #include "ImageFrame.h"
+#include "TiledHeights.h"
 #include "vtkReliefShadingModule.h" // For export macro
 #include "vtkSmartPointer.h"
 
@@ -31,20 +32,28 @@ public:
   std::string Update(const Source& source);
 
   /// Whether there are any.
-  bool IsReady() const { return this->Field != nullptr; }
+  bool IsReady() const { return this->Field != nullptr || this->Tiled; }
 
   ///@{
   /// What has been prepared.
-  const HeightField& GetField() const { return *this->Field; }
+  const HeightField& GetField() const
+  {
+    return this->Tiled ? this->Tiled->GetField() : *this->Field;
+  }
   const ImageFrame& GetFrame() const { return this->Frame; }
   ///@}
+
+  /// The heights if they are read as they are needed, and have to be provided then; else null.
+  TiledHeights* GetTiled() const { return this->Tiled; }
 
   void Release();
 
 private:
   std::string Prepare(const Source& source);
+  std::string PrepareTiled(const Source& source);
 
   std::unique_ptr<HeightField> Field;
+  vtkSmartPointer<TiledHeights> Tiled;
   ImageFrame Frame;
   vtkSmartPointer<vtkDataArray> InPlace; // what the field uses where it is
   // Modification times are never given twice.

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TiledHeights_h
+#define TiledHeights_h
+
+/// @file
+/// The heights of an image that does not fit into memory. Not installed.
+
+#include "HeightSupply.h"
+#include "Scene.h"
+#include "SparseHeights.h"
+#include "TileRegions.h"
+
+#include "vtkGenericDataArray.h"
+#include "vtkReliefShadingModule.h" // For export macro
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkScalarsToColors;
+
+namespace relief::hosts
+{
+struct HeightInputs;
+
+/// Heights that are read as they are needed: the filter shades any part of an image that has them
+/// from those that this part depends on, and from bounds of the others. The result is bit for bit
+/// that of the whole. For all others it is an array of heights that is slow to look at, every value
+/// being read from its file. What throws throws what the supply does, or a std::bad_alloc.
+class VTKRELIEFSHADING_EXPORT TiledHeights : public vtkGenericDataArray<TiledHeights, float>
+{
+  using Generic = vtkGenericDataArray<TiledHeights, float>;
+
+public:
+  static TiledHeights* New();
+  vtkTypeMacro(TiledHeights, Generic);
+
+  void SetSupply(std::shared_ptr<HeightSupply> supply);
+  HeightSupply& GetSupply() const { return *this->Supply; }
+
+  /// What a pass over the heights finds, with their bounds by this scale. The pass is made unless
+  /// it has been, in an earlier run perhaps.
+  const HeightSurvey& Survey(double scale);
+
+  /// The same with whatever scale there is.
+  const HeightSurvey& Survey() { return this->Survey(this->Found ? this->Found->scale : 1.0); }
+
+  /// As relief::FitHeightScale(), for samples at these distances; reads a part of the heights.
+  double FitScale(const double spacing[2]);
+
+  /// Prepares a field whose heights have this scale, unless that has been done. Returns an empty
+  /// text, or what is wrong.
+  std::string Prepare(double scale, const double spacing[2], bool padded);
+
+  /// What has been prepared.
+  const HeightField& GetField() const { return this->Sparse->GetField(); }
+
+  /// Fills the field where samples in any of some windows depend on it for a scene, which is
+  /// another when its version is, and forgets it elsewhere.
+  void Provide(const Scene& scene, std::uint64_t version,
+    const std::vector<HeightSupply::Window>& windows);
+
+  /// About how many bytes of memory Provide() would take for a window, and how many samples it would
+  /// have to look at.
+  struct Needs
+  {
+    double bytes = 0.0;
+    double samples = 0.0;
+  };
+  Needs Estimate(const Scene& scene, std::uint64_t version, const HeightSupply::Window& window);
+
+  /// The colours that a table gives to heights, 4 bytes a sample, in rows: of the windows that are
+  /// provided from now on. Null takes the table away.
+  const unsigned char* UseTable(vtkScalarsToColors* table);
+
+  ///@{
+  /// What vtkGenericDataArray asks for. A value that cannot be read is NaN, and none can be set.
+  ValueType GetValue(vtkIdType at) const;
+  void SetValue(vtkIdType, ValueType) {}
+  void GetTypedTuple(vtkIdType at, ValueType* tuple) const { *tuple = this->GetValue(at); }
+  void SetTypedTuple(vtkIdType, const ValueType*) {}
+  ValueType GetTypedComponent(vtkIdType at, int) const { return this->GetValue(at); }
+  void SetTypedComponent(vtkIdType, int, ValueType) {}
+  ///@}
+
+  /// None: the heights lie nowhere.
+  void* GetVoidPointer(vtkIdType) override { return nullptr; }
+
+protected:
+  TiledHeights();
+  ~TiledHeights() override;
+
+private:
+  friend Generic;
+
+  TiledHeights(const TiledHeights&) = delete;
+  void operator=(const TiledHeights&) = delete;
+
+  bool AllocateTuples(vtkIdType) { return false; }
+  bool ReallocateTuples(vtkIdType) { return false; }
+
+  // What is made for a scale, spacing and padding.
+  struct Preparation
+  {
+    double scale;
+    double spacing[2];
+    bool padded;
+  };
+
+  std::unique_ptr<HeightSurvey> MakeSurvey(double scale, double datum) const;
+  const TileRegions& RegionsFor(const Scene& scene, std::uint64_t version);
+  void Fill(const RegionSet& regions);
+  void Color(const HeightSupply::Window& window);
+
+  std::shared_ptr<HeightSupply> Supply;
+  std::unique_ptr<HeightSurvey> Found;
+  std::unique_ptr<SparseHeights> Sparse;
+  std::optional<Preparation> Prepared;
+  std::unique_ptr<TileRegions> Regions;
+  std::uint64_t RegionsVersion = 0;
+  vtkSmartPointer<vtkScalarsToColors> Table;
+  RawArray<unsigned char> Colors;
+};
+
+/// The heights of inputs, if they are such; null where they are others.
+VTKRELIEFSHADING_EXPORT TiledHeights* FindTiled(const HeightInputs& inputs);
+}
+
+#endif
