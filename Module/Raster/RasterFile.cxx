@@ -27,6 +27,25 @@ void CheckSpacing(const RasterHeader& header)
 }
 
 //------------------------------------------------------------------------------
+Raster RasterFile::ReadWindow(const Window&)
+{
+  throw io::Failure(vtkErrorCode::FileFormatError, "its format is read as a whole only");
+}
+
+//------------------------------------------------------------------------------
+Raster ReadHeights(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window)
+{
+  Raster raster = file.ReadWindow(window);
+  if (!options.NoDataFromFile)
+  {
+    raster.NoData = options.NoData;
+  }
+  MarkNoData(raster);
+  ApplyScale(raster);
+  return raster;
+}
+
+//------------------------------------------------------------------------------
 Raster ReadHeights(RasterFile& file, const ReadOptions& options, const MemoryPlan& plan,
   const io::StepWatcher& watcher)
 {

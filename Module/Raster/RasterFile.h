@@ -73,6 +73,19 @@ public:
   /// plan is to have what the caller makes of them. Throws a Failure, or Aborted.
   virtual Raster Read(const MemoryPlan& plan, const io::StepWatcher& watcher) = 0;
 
+  /// Samples [i0, i1) x [j0, j1), the rows from the southern one on.
+  struct Window
+  {
+    int i0, i1, j0, j1;
+  };
+
+  /// Whether windows of it can be read without the rest.
+  virtual bool HasWindows() const { return false; }
+
+  /// Reads a window's heights as the file stores them, and its mask; of what has windows. Throws a
+  /// Failure.
+  virtual Raster ReadWindow(const Window& window);
+
 protected:
   RasterHeader Header;
 };
@@ -96,6 +109,10 @@ std::unique_ptr<RasterFile> OpenPicture(const std::string& file, const ReadOptio
 /// Aborted.
 VTKIORELIEFRASTER_EXPORT Raster ReadHeights(RasterFile& file, const ReadOptions& options,
   const MemoryPlan& plan, const io::StepWatcher& watcher);
+
+/// The same of a window; tells nothing of what looks like no data.
+Raster ReadHeights(
+  RasterFile& file, const ReadOptions& options, const RasterFile::Window& window);
 
 /// Sets the spacing that there is right after a header was read, as ReadHeights does: throws a
 /// Failure where it is none, or the raster is sheared.

@@ -152,6 +152,29 @@ vtkSmartPointer<vtkImageData> ReadPadded(
 }
 
 //------------------------------------------------------------------------------
+/// Reads a window of a band as it is, its southern row first.
+vtkSmartPointer<vtkImageData> ReadWindowOf(
+  GDALRasterBand* band, SampleType type, bool southUp, const RasterFile::Window& window)
+{
+  const int width = window.i1 - window.i0;
+  const int height = window.j1 - window.j0;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, height, 1);
+  image->AllocateScalars(type.Vtk, 1);
+  const GSpacing size = GDALGetDataTypeSizeBytes(type.Gdal);
+  const GSpacing pitch = width * size;
+  char* first = static_cast<char*>(image->GetScalarPointer());
+  const int row = southUp ? window.j0 : band->GetYSize() - window.j1;
+  if (band->RasterIO(GF_Read, window.i0, row, width, height,
+        southUp ? first : first + (height - 1) * pitch, width, height, type.Gdal, size,
+        southUp ? pitch : -pitch, nullptr) != CE_None)
+  {
+    throw io::Failure(vtkErrorCode::PrematureEndOfFileError, GdalErrors::Take("cannot be read"));
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
 /// Their descriptions, or else their colours; an alpha at the end is none of them.
 std::vector<std::string> BandNames(GDALDataset* dataset)
 {
@@ -363,6 +386,8 @@ class GdalRaster : public RasterFile
 public:
   GdalRaster(const std::string& file, DatasetPointer dataset, const ReadOptions& options);
   Raster Read(const MemoryPlan& plan, const io::StepWatcher& watcher) override;
+  bool HasWindows() const override { return !this->Esri; }
+  Raster ReadWindow(const Window& window) override;
 
 private:
   vtkSmartPointer<vtkImageData> ReadMask(const io::StepWatcher& watcher) const;
@@ -445,6 +470,28 @@ Raster GdalRaster::Read(const MemoryPlan& plan, const io::StepWatcher& watcher)
   if (raster.Masked)
   {
     raster.Mask = this->ReadMask(watcher);
+  }
+  return raster;
+}
+
+//------------------------------------------------------------------------------
+Raster GdalRaster::ReadWindow(const Window& window)
+{
+  GdalErrors errors;
+  Raster raster;
+  static_cast<RasterHeader&>(raster) = this->Header;
+  raster.Columns = window.i1 - window.i0;
+  raster.Rows = window.j1 - window.j0;
+  const bool southUp = raster.Reference.SouthUp;
+  raster.Heights = ReadWindowOf(this->Band, this->Type, southUp, window);
+  if (this->HasMask)
+  {
+    raster.Mask = ReadWindowOf(
+      this->Band->GetMaskBand(), { GDT_Byte, VTK_UNSIGNED_CHAR }, southUp, window);
+  }
+  else if (this->Alpha)
+  {
+    raster.Mask = MakeMask(ReadWindowOf(this->Alpha, AlphaType(this->Alpha), southUp, window));
   }
   return raster;
 }

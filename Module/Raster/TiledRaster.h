@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TiledRaster_h
+#define TiledRaster_h
+
+/// @file
+/// Files of heights that do not fit into memory. Not installed.
+
+#include "HeightSupply.h"
+#include "RasterFile.h"
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace relief::raster
+{
+/// A file whose heights are read window by window, each thread with the file open for itself.
+class VTKIORELIEFRASTER_EXPORT TiledRaster : public hosts::HeightSupply
+{
+public:
+  using Opener = std::function<std::unique_ptr<RasterFile>()>;
+
+  /// A file, and how it is opened. Throws a Failure if its format is read as a whole only.
+  TiledRaster(const std::string& name, const ReadOptions& options, const Opener& open);
+  ~TiledRaster() override;
+
+  /// Masks the heights by another file, of the same size: there is no data where that is 0, or has
+  /// none itself. Throws a Failure.
+  void SetMask(std::unique_ptr<TiledRaster> mask);
+
+  /// Who is told of passes over the heights.
+  void SetWatcher(const io::StepWatcher& watcher) { this->Watcher = watcher; }
+
+  const RasterHeader& GetHeader() const { return this->Header; }
+  const std::string& GetName() const { return this->Name; }
+
+  /// What tells this state of the heights: the file's names, sizes and dates, how it is read, and a
+  /// hash of some of its rows. Empty for what is no file.
+  const std::string& GetState();
+
+  int GetColumns() const override { return this->Header.Columns; }
+  int GetRows() const override { return this->Header.Rows; }
+  int GetBytesPerSample() const override;
+  Part Read(const Window& window) override;
+  void Advance(double share) override;
+  bool FindSurvey(double scale, hosts::HeightSurvey& survey) override;
+  void KeepSurvey(const hosts::HeightSurvey& survey) override;
+
+private:
+  class Lease;
+  void ApplyMask(const Window& window, Part& part);
+
+  std::string Name;
+  ReadOptions Options;
+  Opener Open;
+  RasterHeader Header;
+  std::unique_ptr<TiledRaster> Mask;
+  io::StepWatcher Watcher;
+  std::string State;
+  std::mutex Mutex;
+  std::vector<std::unique_ptr<RasterFile>> Free; // open, and nobody's at the moment
+};
+
+/// A Raster whose heights are read as they are needed; Surveys them first, for a scale of heights.
+/// Throws a Failure, or what the watcher throws.
+VTKIORELIEFRASTER_EXPORT Raster ReadTiled(const std::shared_ptr<TiledRaster>& file, double scale);
+}
+
+#endif
