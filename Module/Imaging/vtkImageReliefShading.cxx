@@ -112,6 +112,7 @@ public:
   relief::SceneShading* PlanTile(const relief::Target& target);
   relief::hosts::WindowProvider GetProvider();
   void FindExposure();
+  relief::hosts::TiledHeights::Needs Estimate(const int extent[6], vtkInformationVector** inputs);
   bool IsAborted() const;
   bool ShadeBands(const relief::Target& target, relief::SceneShading& shading);
   void Tell(const relief::SceneShading& shading);
@@ -266,6 +267,19 @@ std::string vtkImageReliefShading::PrepareModel(
     scene = internal.Scene.Get();
   }
   return wrong;
+}
+
+//------------------------------------------------------------------------------
+double vtkImageReliefShading::EstimateMemory(const int extent[6])
+{
+  return this->Internal->Estimate(extent, this->UpdateInputs()).bytes / 1024.0;
+}
+
+//------------------------------------------------------------------------------
+// Every light's rays cross what is provided, and begin at the extent's own samples.
+double vtkImageReliefShading::EstimateWork(const int extent[6])
+{
+  return this->Internal->Estimate(extent, this->UpdateInputs()).samples;
 }
 
 //------------------------------------------------------------------------------
@@ -437,6 +451,24 @@ relief::hosts::WindowProvider vtkImageReliefShading::Internals::GetProvider()
   return !heights ? relief::hosts::WindowProvider()
                   : [this, heights](const std::vector<HeightSupply::Window>& windows)
   { heights->Provide(this->Scene.Get(), this->Scene.GetVersion(), windows); };
+}
+
+//------------------------------------------------------------------------------
+relief::hosts::TiledHeights::Needs vtkImageReliefShading::Internals::Estimate(
+  const int extent[6], vtkInformationVector** inputs)
+{
+  const std::string wrong = this->Prepare(inputs);
+  if (!wrong.empty())
+  {
+    vtkErrorWithObjectMacro(this->Self, << wrong << ".");
+    return {};
+  }
+  relief::hosts::TiledHeights* heights = this->Inputs.GetTiledHeights();
+  const int* whole = vtkImageData::GetData(inputs[0])->GetExtent();
+  return !heights ? relief::hosts::TiledHeights::Needs()
+                  : heights->Estimate(this->Scene.Get(), this->Scene.GetVersion(),
+                      { extent[0] - whole[0], extent[1] + 1 - whole[0], extent[2] - whole[2],
+                        extent[3] + 1 - whole[2] });
 }
 
 //------------------------------------------------------------------------------

@@ -239,6 +239,18 @@ public:
    */
   std::string GetHeightHash();
 
+  ///@{
+  /**
+   * What an update of an extent of the output would take, where the heights are read as they are
+   * needed (vtkReliefRasterReader::ReadAsNeededOn()): about how much memory, in kibibytes, for the
+   * heights that it depends on, the output itself not included; and how much work, in numbers that
+   * mean something beside one another only. The input is updated. 0 for heights in memory, and,
+   * with an error, where nothing can be shaded.
+   */
+  double EstimateMemory(const int extent[6]) VTK_SIZEHINT(extent, 6);
+  double EstimateWork(const int extent[6]) VTK_SIZEHINT(extent, 6);
+  ///@}
+
   /**
    * Changes with the scene and the lookup table.
    */

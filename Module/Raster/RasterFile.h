@@ -111,8 +111,7 @@ VTKIORELIEFRASTER_EXPORT Raster ReadHeights(RasterFile& file, const ReadOptions&
   const MemoryPlan& plan, const io::StepWatcher& watcher);
 
 /// The same of a window; tells nothing of what looks like no data.
-Raster ReadHeights(
-  RasterFile& file, const ReadOptions& options, const RasterFile::Window& window);
+Raster ReadHeights(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window);
 
 /// Sets the spacing that there is right after a header was read, as ReadHeights does: throws a
 /// Failure where it is none, or the raster is sheared.

@@ -486,8 +486,8 @@ Raster GdalRaster::ReadWindow(const Window& window)
   raster.Heights = ReadWindowOf(this->Band, this->Type, southUp, window);
   if (this->HasMask)
   {
-    raster.Mask = ReadWindowOf(
-      this->Band->GetMaskBand(), { GDT_Byte, VTK_UNSIGNED_CHAR }, southUp, window);
+    raster.Mask =
+      ReadWindowOf(this->Band->GetMaskBand(), { GDT_Byte, VTK_UNSIGNED_CHAR }, southUp, window);
   }
   else if (this->Alpha)
   {

@@ -101,9 +101,9 @@ const std::string& TiledRaster::GetState()
     }
     const ReadOptions& options = this->Options;
     this->State += " band " + std::to_string(options.Band) + " no data " +
-      (options.NoDataFromFile  ? "of the file"
-          : options.NoData     ? std::to_string(*options.NoData)
-                               : "none");
+      (options.NoDataFromFile ? "of the file"
+          : options.NoData    ? std::to_string(*options.NoData)
+                              : "none");
     this->State += " rows " + HashOfProbes(*this);
     if (this->Mask)
     {

@@ -59,8 +59,8 @@ bool ShowsTerraces(const HeightInputs& inputs)
 {
   const double spacing[2] = { 1.0, 1.0 };
   bool shows = false;
-  if (CheckHeights(inputs).empty() && !FindTiled(inputs) && inputs.scalars->GetDataType() != VTK_FLOAT &&
-    inputs.scalars->GetDataType() != VTK_DOUBLE)
+  if (CheckHeights(inputs).empty() && !FindTiled(inputs) &&
+    inputs.scalars->GetDataType() != VTK_FLOAT && inputs.scalars->GetDataType() != VTK_DOUBLE)
   {
     WithHeightSource(
       inputs, spacing, [&shows](const auto& heights) { shows = relief::ShowsTerraces(heights); });

@@ -190,7 +190,8 @@ std::string HostInputs::Update(vtkInformationVector** inputs,
   PreparedHeights::Source source = ReadHeights(inputs, arrays, reading);
   if (!sweeps && FindTiled(source))
   {
-    return "the heights are read as they are needed, which is for vtkImageReliefShading; heights in "
+    return "the heights are read as they are needed, which is for vtkImageReliefShading; heights "
+           "in "
            "memory are expected";
   }
   source.scale = this->Scene->GetHeightScale();

@@ -76,8 +76,7 @@ public:
         this->Rows.clear();
       }
       row = this->Rows.emplace(j, std::vector<double>()).first;
-      const HeightSupply::Part part =
-        this->Supply.Read({ 0, this->Supply.GetColumns(), j, j + 1 });
+      const HeightSupply::Part part = this->Supply.Read({ 0, this->Supply.GetColumns(), j, j + 1 });
       WithHeightSource(InputsOf(part, 1.0), Unit,
         [&](const auto& heights)
         {
@@ -184,7 +183,7 @@ const HeightSurvey& TiledHeights::Survey(double scale)
     const bool floats = sample.heights->GetScalarType() == VTK_FLOAT;
     if (HeightField::FindDatum(bounds.GetBottom(), bounds.GetTop(), floats) != 0.0)
     {
-      const auto [lo, hi] = std::minmax(found->least * scale, found->greatest * scale);
+      const auto [lo, hi] = std::minmax({ found->least * scale, found->greatest * scale });
       found = this->MakeSurvey(scale, HeightField::FindDatum(lo, hi, false));
     }
     this->Supply->KeepSurvey(*found);
@@ -262,8 +261,8 @@ void TiledHeights::Fill(const RegionSet& regions)
 }
 
 //------------------------------------------------------------------------------
-void TiledHeights::Provide(const Scene& scene, std::uint64_t version,
-  const std::vector<HeightSupply::Window>& windows)
+void TiledHeights::Provide(
+  const Scene& scene, std::uint64_t version, const std::vector<HeightSupply::Window>& windows)
 {
   const TileRegions& regions = this->RegionsFor(scene, version);
   const RegionSet& filled = this->Sparse->GetFilled();

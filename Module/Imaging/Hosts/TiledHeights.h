@@ -59,11 +59,11 @@ public:
 
   /// Fills the field where samples in any of some windows depend on it for a scene, which is
   /// another when its version is, and forgets it elsewhere.
-  void Provide(const Scene& scene, std::uint64_t version,
-    const std::vector<HeightSupply::Window>& windows);
+  void Provide(
+    const Scene& scene, std::uint64_t version, const std::vector<HeightSupply::Window>& windows);
 
-  /// About how many bytes of memory Provide() would take for a window, and how many samples it would
-  /// have to look at.
+  /// About how many bytes of memory Provide() would take for a window, and how many samples it
+  /// would have to look at.
   struct Needs
   {
     double bytes = 0.0;

@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heights that are read as they are needed: every extent of the picture is bit for bit that of the
+// whole heights. RELIEF_SEED repeats a run.
+#include "vtkImageReliefShading.h"
+
+#include "vtkLight.h"
+#include "vtkLookupTable.h"
+#include "vtkReliefMaterial.h"
+#include "vtkReliefScene.h"
+#include "vtkReliefStatistics.h"
+#include "vtkReliefVerification.h"
+#include "vtkShortArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include "ReliefLongRunTestUtilities.h"
+#include "ReliefTestUtilities.h"
+#include "TiledHeights.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+int Failures = 0;
+
+using relief::hosts::HeightSupply;
+using relief::hosts::HeightSurvey;
+using relief::hosts::TiledHeights;
+
+// An image's heights, window by window.
+class ImageSupply : public HeightSupply
+{
+public:
+  ImageSupply(vtkImageData* heights, vtkImageData* mask, bool useNoData, double noData)
+    : Heights(heights)
+    , Mask(mask)
+    , UseNoData(useNoData)
+    , NoData(noData)
+  {
+  }
+
+  int GetColumns() const override { return this->Heights->GetDimensions()[0]; }
+  int GetRows() const override { return this->Heights->GetDimensions()[1]; }
+  int GetBytesPerSample() const override { return this->Heights->GetScalarSize(); }
+
+  Part Read(const Window& window) override
+  {
+    if (this->Fails)
+    {
+      throw std::runtime_error("the disk is gone");
+    }
+    this->Samples += (window.i1 - window.i0) * (window.j1 - window.j0);
+    return { Cut(this->Heights, window), this->Mask ? Cut(this->Mask, window) : nullptr,
+      this->UseNoData, this->NoData };
+  }
+
+  void Advance(double share) override { this->Share = share; }
+
+  bool FindSurvey(double scale, HeightSurvey& survey) override
+  {
+    const bool found = this->Kept && this->Kept->scale == scale;
+    if (found)
+    {
+      survey = *this->Kept;
+    }
+    return found;
+  }
+  void KeepSurvey(const HeightSurvey& survey) override
+  {
+    this->Kept = std::make_shared<HeightSurvey>(survey);
+  }
+
+  bool Fails = false;
+  double Share = 0.0;
+  std::atomic<long> Samples{ 0 };
+  std::shared_ptr<HeightSurvey> Kept;
+
+private:
+  static vtkSmartPointer<vtkImageData> Cut(vtkImageData* image, const Window& window)
+  {
+    auto part = vtkSmartPointer<vtkImageData>::New();
+    part->SetDimensions(window.i1 - window.i0, window.j1 - window.j0, 1);
+    part->AllocateScalars(image->GetScalarType(), 1);
+    const std::size_t size = image->GetScalarSize();
+    for (int j = window.j0; j < window.j1; ++j)
+    {
+      std::memcpy(part->GetScalarPointer(0, j - window.j0, 0),
+        image->GetScalarPointer(window.i0, j, 0), size * (window.i1 - window.i0));
+    }
+    return part;
+  }
+
+  vtkSmartPointer<vtkImageData> Heights;
+  vtkSmartPointer<vtkImageData> Mask;
+  bool UseNoData;
+  double NoData;
+};
+
+double Between(std::mt19937& random, double least, double greatest)
+{
+  return std::uniform_real_distribution<double>(least, greatest)(random);
+}
+
+bool Chance(std::mt19937& random, double share)
+{
+  return Between(random, 0.0, 1.0) < share;
+}
+
+// A field with cliffs, holes in some and a plain elsewhere.
+std::function<double(int, int)> RandomHeights(std::mt19937& random)
+{
+  const std::function<double(int, int)> hills = Hills(random());
+  const double scale = std::pow(10.0, Between(random, -1.0, 1.0));
+  const double above = Chance(random, 0.3) ? Between(random, -1e5, 1e5) : 0.0;
+  const int plain = static_cast<int>(random() % 200);
+  return [=](int i, int j)
+  { return above + std::round(scale * (i > plain && i < plain + 150 ? 30.0 : hills(i, j))); };
+}
+
+void RandomScene(std::mt19937& random, int columns, int rows, vtkReliefScene* scene)
+{
+  vtkReliefMaterial* material = scene->GetMaterial();
+  material->SetSubsurfaceDepth(Chance(random, 0.2) ? 0.0 : std::pow(10.0, Between(random, -1, 2)));
+  material->SetSpecularCoefficient(Chance(random, 0.5) ? 0.0 : Between(random, 0.0, 0.9));
+  material->SetForwardScatterCoefficient(Chance(random, 0.5) ? 0.0 : Between(random, 0.0, 0.9));
+  material->SetForwardScatterRange(-1.0, 1.0);
+  material->SetOffsetMode(static_cast<int>(random() % 3));
+  if (Chance(random, 0.3))
+  {
+    material->SetFloorHeight(Between(random, -10.0, 40.0));
+    material->UseFloorOn();
+  }
+  scene->SetHeightScale(Chance(random, 0.5) ? 1.0 : Between(random, 0.2, 3.0));
+  scene->SetAutomaticExposure(Chance(random, 0.5));
+  if (Chance(random, 0.1))
+  {
+    scene->SetIntegrator(vtkReliefScene::FixedStep);
+  }
+  const int suns = Chance(random, 0.8) ? 1 + static_cast<int>(random() % 2) : 0;
+  for (int k = 0; k < suns; ++k)
+  {
+    scene->AddSun(Between(random, 0.0, 360.0), std::pow(10.0, Between(random, 0.0, 1.95)),
+      Chance(random, 0.2) ? 2.0 : 0.0);
+  }
+  if (suns == 0 || Chance(random, 0.3))
+  {
+    vtkNew<vtkLight> lamp;
+    lamp->PositionalOn();
+    lamp->SetPosition(
+      Between(random, -50.0, columns + 50.0), Between(random, -50.0, rows + 50.0), 90.0);
+    scene->AddLight(lamp);
+  }
+  if (Chance(random, 0.15))
+  {
+    scene->SetLightsToSkyDome();
+  }
+}
+
+// Two filters that differ in nothing but where the heights are.
+struct Pair
+{
+  vtkNew<vtkImageReliefShading> Whole;
+  vtkNew<vtkImageReliefShading> Tiled;
+  vtkSmartPointer<vtkImageData> Heights;
+  vtkNew<TiledHeights> Array;
+  std::shared_ptr<ImageSupply> Supply;
+
+  void SetHeights(vtkImageData* heights, vtkImageData* mask, bool useNoData, double noData)
+  {
+    this->Heights = heights;
+    this->Supply = std::make_shared<ImageSupply>(heights, mask, useNoData, noData);
+    this->Array->SetSupply(this->Supply);
+    vtkNew<vtkImageData> image;
+    image->CopyStructure(heights);
+    image->GetPointData()->SetScalars(this->Array);
+    this->Whole->SetInputData(heights);
+    if (mask)
+    {
+      this->Whole->SetMaskData(mask);
+    }
+    if (useNoData)
+    {
+      this->Whole->SetNoDataValue(noData);
+    }
+    this->Tiled->SetInputData(image);
+  }
+
+  template <class Change>
+  void ForBoth(const Change& change)
+  {
+    change(this->Whole.Get());
+    change(this->Tiled.Get());
+  }
+};
+
+// Compares an extent of the second filter with the first one's output, bit for bit.
+std::string Compare(vtkImageData* whole, vtkImageReliefShading* tiled, const int extent[6])
+{
+  tiled->Modified(); // else what lies in the last extent is not made anew
+  tiled->UpdateExtent(extent);
+  vtkImageData* piece = tiled->GetOutput();
+  const int columns = whole->GetDimensions()[0];
+  const std::size_t width = extent[1] - extent[0] + 1;
+  const int count = whole->GetPointData()->GetNumberOfArrays();
+  if (piece->GetPointData()->GetNumberOfArrays() != count || piece->GetNumberOfPoints() == 0)
+  {
+    return "arrays are missing";
+  }
+  for (int array = 0; array < count; ++array)
+  {
+    vtkDataArray* a = whole->GetPointData()->GetArray(array);
+    vtkDataArray* b = piece->GetPointData()->GetArray(a->GetName());
+    const std::size_t tuple =
+      static_cast<std::size_t>(a->GetNumberOfComponents()) * a->GetDataTypeSize();
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      const char* rowA = static_cast<const char*>(a->GetVoidPointer(0)) +
+        (static_cast<std::size_t>(j) * columns + extent[0]) * tuple;
+      const char* rowB =
+        static_cast<const char*>(b->GetVoidPointer(0)) + (j - extent[2]) * width * tuple;
+      if (std::memcmp(rowA, rowB, width * tuple) != 0)
+      {
+        return "row " + std::to_string(j) + " of " + a->GetName();
+      }
+    }
+  }
+  return std::string();
+}
+
+void TestRandomPictures()
+{
+  const unsigned int seed = ChooseSeed();
+  std::mt19937 random(seed);
+  const int rounds = FromEnvironment("RELIEF_ROUNDS", 40);
+  for (int round = 0; round < rounds; ++round)
+  {
+    Pair pair;
+    const int columns = 2 + static_cast<int>(random() % 500);
+    const int rows = 2 + static_cast<int>(random() % 400);
+    const auto height = RandomHeights(random);
+    const bool shorts = Chance(random, 0.3);
+    const bool doubles = !shorts && Chance(random, 0.3);
+    const vtkSmartPointer<vtkImageData> heights = shorts
+      ? MakeHeights<vtkShortArray>(
+          columns, rows, [&](int i, int j) { return std::fmod(height(i, j), 3e4); })
+      : doubles ? MakeHeights<vtkDoubleArray>(columns, rows, height)
+                : MakeHeights(columns, rows, height);
+    const int holes = 40 + static_cast<int>(random() % 400);
+    const vtkSmartPointer<vtkImageData> mask = Chance(random, 0.3)
+      ? MakeHeights<vtkUnsignedCharArray>(
+          columns, rows, [=](int i, int j) { return (i * i / 64 + 3 * j) % holes == 0 ? 0 : 1; })
+      : nullptr;
+    const bool noData = Chance(random, 0.2);
+    pair.SetHeights(heights, mask, noData, height(columns / 2, rows / 2));
+    const unsigned int sceneSeed = random();
+    vtkNew<vtkLookupTable> table;
+    double range[2];
+    heights->GetScalarRange(range);
+    table->SetRange(range);
+    const bool tinted = Chance(random, 0.4);
+    const bool layers = Chance(random, 0.6);
+    const bool exposed = Chance(random, 0.5);
+    pair.ForBoth(
+      [&](vtkImageReliefShading* filter)
+      {
+        std::mt19937 same(sceneSeed);
+        RandomScene(same, columns, rows, filter->GetScene());
+        filter->SetOutputScalarType(exposed ? VTK_UNSIGNED_CHAR : VTK_FLOAT);
+        filter->SetLookupTable(tinted ? table.Get() : nullptr);
+        filter->SetGenerateIllumination(layers);
+        filter->SetGenerateNormals(layers);
+        filter->SetGenerateThickness(layers);
+        filter->SetGenerateBase(layers);
+        filter->SetGenerateDiffuse(layers);
+        filter->SetGenerateScatter(layers);
+        filter->SetGenerateSpecular(layers);
+      });
+    pair.Whole->Update();
+    CHECK(pair.Whole->GetOutput()->GetNumberOfPoints() > 0);
+    for (int piece = 0; piece < 5; ++piece)
+    {
+      int extent[6] = { 0, columns - 1, 0, rows - 1, 0, 0 };
+      if (piece > 0)
+      {
+        extent[0] = static_cast<int>(random() % columns);
+        extent[1] = extent[0] + static_cast<int>(random() % (columns - extent[0]));
+        extent[2] = static_cast<int>(random() % rows);
+        extent[3] = extent[2] + static_cast<int>(random() % (rows - extent[2]));
+      }
+      const std::string difference = Compare(pair.Whole->GetOutput(), pair.Tiled, extent);
+      if (!difference.empty())
+      {
+        std::cout << "RELIEF_SEED=" << seed << ", round " << round << ", piece " << piece << " of "
+                  << columns << " x " << rows << ": " << difference << std::endl;
+        ++Failures;
+      }
+      if (piece == 0)
+      {
+        CHECK(
+          pair.Tiled->GetStatistics()->GetExposure() == pair.Whole->GetStatistics()->GetExposure());
+      }
+    }
+    CHECK(pair.Tiled->GetHeightHash() == pair.Whole->GetHeightHash());
+  }
+}
+
+// A high sun needs little beside the extent, and is told so; what an earlier run has found is used.
+void TestWhatIsRead()
+{
+  Pair pair;
+  pair.SetHeights(MakeHeights(1024, 1024, Hills(3)), nullptr, false, 0.0);
+  pair.ForBoth([](vtkImageReliefShading* filter) { filter->GetScene()->AddSun(315.0, 60.0); });
+  pair.Whole->Update();
+  const int extent[6] = { 512, 639, 512, 639, 0, 0 };
+  const double needs = pair.Tiled->EstimateMemory(extent);
+  CHECK(needs > 128.0 * 128.0 * 4.0 / 1024.0);
+  CHECK(needs < 8192.0);
+  CHECK(pair.Supply->Share == 1.0);
+  const int all[6] = { 0, 1023, 0, 1023, 0, 0 };
+  CHECK(pair.Tiled->EstimateWork(all) > 5.0 * pair.Tiled->EstimateWork(extent));
+  CHECK(pair.Whole->EstimateMemory(extent) == 0.0);
+  pair.Supply->Samples = 0;
+  CHECK(Compare(pair.Whole->GetOutput(), pair.Tiled, extent).empty());
+  CHECK(pair.Supply->Samples >= 128 * 128);
+  CHECK(pair.Supply->Samples < 450 * 450);
+  // The same again reads nothing.
+  pair.Supply->Samples = 0;
+  const int part[6] = { 520, 600, 520, 600, 0, 0 };
+  CHECK(Compare(pair.Whole->GetOutput(), pair.Tiled, part).empty());
+  CHECK(pair.Supply->Samples == 0);
+  // Work is that of the piece.
+  CHECK(pair.Tiled->GetStatistics()->GetRaysTraced() <
+    pair.Whole->GetStatistics()->GetRaysTraced() / 20);
+  // Nor does another look at the same heights go through all of them.
+  vtkNew<TiledHeights> other;
+  other->SetSupply(pair.Supply);
+  pair.Supply->Samples = 0;
+  other->Survey(1.0);
+  CHECK(pair.Supply->Samples == 0);
+}
+
+void TestErrors()
+{
+  Pair pair;
+  pair.SetHeights(MakeHeights(300, 200, Waves), nullptr, false, 0.0);
+  const int extent[6] = { 0, 99, 0, 99, 0, 0 };
+  MessageKeeper messages(pair.Tiled);
+  pair.Supply->Fails = true;
+  pair.Tiled->UpdateExtent(extent);
+  CHECK(messages.OneError("the disk is gone"));
+  CHECK(pair.Tiled->GetOutput()->GetNumberOfPoints() == 0);
+  // It recovers.
+  pair.Supply->Fails = false;
+  pair.Whole->Update();
+  pair.Tiled->Modified();
+  CHECK(Compare(pair.Whole->GetOutput(), pair.Tiled, extent).empty());
+  CHECK(messages.Silent());
+  // And fails amid a picture.
+  pair.Supply->Fails = true;
+  const int next[6] = { 150, 299, 100, 199, 0, 0 };
+  pair.Tiled->UpdateExtent(next);
+  CHECK(messages.OneError("the disk is gone"));
+  pair.Supply->Fails = false;
+  pair.Tiled->Modified();
+  CHECK(Compare(pair.Whole->GetOutput(), pair.Tiled, next).empty());
+  // What needs all heights says so.
+  vtkNew<vtkReliefVerification> verification;
+  MessageKeeper verified(verification);
+  verification->SetShading(pair.Tiled);
+  verification->Update();
+  CHECK(verified.OneError("read as they are needed"));
+  pair.Tiled->SetMaskData(pair.Heights);
+  pair.Tiled->UpdateExtent(next);
+  CHECK(messages.OneError("no mask beside their own"));
+}
+}
+
+int TestTiledHeights(int, char*[])
+{
+  TestRandomPictures();
+  TestWhatIsRead();
+  TestErrors();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
