@@ -14,7 +14,7 @@
 namespace relief::raster
 {
 /// While one lives, GDAL prints nothing: the first failure is kept for Take().
-class GdalErrors
+class VTKIORELIEFRASTER_EXPORT GdalErrors
 {
 public:
   /// Registers GDAL's formats, too.
