@@ -63,7 +63,7 @@ struct RELIEF_THROWN OptionFailure : io::Failure
 
 /// A file of heights. Its header is there once it is open; those whose readers tell all of it only
 /// with the heights fill it in for the Raster that Read returns.
-class RasterFile
+class VTKIORELIEFRASTER_EXPORT RasterFile
 {
 public:
   virtual ~RasterFile() = default;

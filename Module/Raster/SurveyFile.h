@@ -7,6 +7,7 @@
 /// GDAL is.
 
 #include "HeightSupply.h"
+#include "vtkIOReliefRasterModule.h" // For export macro
 
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ namespace relief::raster
 std::string SurveyName(const std::string& raster);
 
 /// Names, sizes and dates of files; empty if any of them is none.
-std::string StateOfFiles(const std::vector<std::string>& files);
+VTKIORELIEFRASTER_EXPORT std::string StateOfFiles(const std::vector<std::string>& files);
 
 /// A hash of some rows, spread over the raster: of heights that have been written over within the
 /// same second. Throws what reading throws.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TiledRaster.h"
 
+#include "Gdal.h"
 #include "SurveyFile.h"
 #include "TiledHeights.h"
 
@@ -74,6 +75,12 @@ TiledRaster::TiledRaster(const std::string& name, const ReadOptions& options, co
 
 //------------------------------------------------------------------------------
 TiledRaster::~TiledRaster() = default;
+
+//------------------------------------------------------------------------------
+void TiledRaster::LimitDecoding(double bytes)
+{
+  GDALSetCacheMax64(static_cast<GIntBig>(bytes));
+}
 
 //------------------------------------------------------------------------------
 void TiledRaster::SetMask(std::unique_ptr<TiledRaster> mask)

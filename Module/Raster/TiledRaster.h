@@ -33,6 +33,10 @@ public:
   /// Who is told of passes over the heights.
   void SetWatcher(const io::StepWatcher& watcher) { this->Watcher = watcher; }
 
+  /// What decoded blocks of all files together may take, in bytes, which GDAL keeps for the next
+  /// window.
+  static void LimitDecoding(double bytes);
+
   const RasterHeader& GetHeader() const { return this->Header; }
   const std::string& GetName() const { return this->Name; }
 

@@ -2,12 +2,13 @@
 #ifndef BandShading_h
 #define BandShading_h
 
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <functional>
 #include <string>
 
-class vtkImageData;
 class vtkImageReliefShading;
 
 namespace reliefshade
@@ -35,6 +36,11 @@ struct RunPart
   double Begin = 0.0;
   double Length = 1.0;
 };
+
+/// Shades an extent and adds to the report what was done. Throws a Failure that names the file for
+/// what the filter reports.
+vtkSmartPointer<vtkImageData> shadePart(vtkImageReliefShading* shading, const std::string& file,
+  const int extent[6], ShadingReport& report);
 
 /// Shades all of the filter's input, some rows at a time from the upper ones on or, `upward`, from
 /// the lower ones; 0 rows for all at once. Its progress is that of a part of the run. Each band is

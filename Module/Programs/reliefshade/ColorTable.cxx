@@ -6,6 +6,7 @@
 #include "HeightSummary.h"
 #include "MessageLog.h"
 #include "PictureOutput.h"
+#include "TileShading.h"
 
 #include "vtkDataArray.h"
 #include "vtkDiscretizableColorTransferFunction.h"
@@ -13,6 +14,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -36,6 +38,11 @@ public:
 
   double At(double share)
   {
+    if (isTiled(this->Heights)) // whose ends are known, and of which one at a time is read
+    {
+      const std::array<double, 2> ends = this->Heights.Ends.value();
+      return ends[0] + share * (ends[1] - ends[0]);
+    }
     if (!this->Range)
     {
       this->Range =

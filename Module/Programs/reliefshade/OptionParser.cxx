@@ -311,6 +311,24 @@ int toCount(const std::string& option, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
+double toBytes(const std::string& option, const std::string& word)
+{
+  static const std::string units = "KMGT";
+  const std::size_t unit =
+    word.empty() ? std::string::npos : units.find(static_cast<char>(std::toupper(word.back())));
+  const std::string digits = word.substr(0, word.size() - (unit == std::string::npos ? 0 : 1));
+  char* end = nullptr;
+  const double number = digits.empty() ? 0.0 : std::strtod(digits.c_str(), &end);
+  if (digits.empty() || *end != '\0' || !(number > 0.0) || !std::isfinite(number))
+  {
+    throw Failure(option,
+      "'" + word + "' was given, a number of bytes such as 800M or 1.5G is expected", UsageFailure);
+  }
+  return number *
+    (unit == std::string::npos ? 1.0 : std::pow(1024.0, 1.0 + static_cast<double>(unit)));
+}
+
+//------------------------------------------------------------------------------
 void refuse(const std::string& option, const std::optional<parameters::Refusal>& refusal)
 {
   if (refusal)

@@ -37,6 +37,9 @@ int toChoice(
 /// A whole number of at least 1.
 int toCount(const std::string& option, const std::string& word);
 
+/// A number of bytes, above 0, with K, M, G or T for powers of 1024 behind it.
+double toBytes(const std::string& option, const std::string& word);
+
 /// Finite numbers between commas, as many as one of `counts` says.
 std::vector<double> toNumbers(
   const std::string& option, const std::string& list, const std::vector<std::size_t>& counts);

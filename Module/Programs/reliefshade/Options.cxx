@@ -367,7 +367,15 @@ void addRunOptions(OptionParser& parser, Options& options)
         throw Failure("--memory-limit", "a number of at least 0 is expected", UsageFailure);
       }
       options.MemoryLimit = mebibytes * mebibyte;
+      options.MemoryLimitGiven = true;
     });
+  parser.Word("--memory", "SIZE",
+    "Memory to keep to, in bytes, or with K, M, G or T behind the number. Heights that do not fit "
+    "are read as they are needed, and shaded in pieces, which wait in the folder OUTPUT.parts "
+    "until "
+    "all are done. The picture is the same. A run that has been stopped goes on where it was when "
+    "the same is asked for again. Default: all of the machine's, unless --memory-limit is given",
+    [&options](const std::string& word) { options.Memory = toBytes("--memory", word); });
 
   parser.SetGroup("Output");
   parser.Choice("--type",

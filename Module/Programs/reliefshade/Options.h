@@ -101,8 +101,11 @@ struct Options
   unsigned int VerifiedSeed = 1;
 
   int Threads = 0;
-  /// In bytes; 0 for none.
+  /// What needs more is refused, in bytes; 0 for none. Whether the user has said so.
   double MemoryLimit = 0.0;
+  bool MemoryLimitGiven = false;
+  /// What needs more is shaded in pieces, in bytes; 0 where the user does not say.
+  double Memory = 0.0;
   bool Statistics = false;
   bool Quiet = false;
 };

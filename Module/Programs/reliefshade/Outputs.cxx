@@ -119,6 +119,7 @@ void printWarnings(const Options& options)
 //------------------------------------------------------------------------------
 Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
   : Given(options)
+  , Heights(raster)
   , Reference(raster.Reference)
 {
   double bytes = 0.0; // a sample
@@ -271,18 +272,30 @@ ShadingReport Outputs::Write(
     {
       this->Begin(shading);
     }
-    report = shadeBands(shading, this->Given.Input, rows, upward, part,
-      [&](vtkImageData* band)
+    const auto take = [&](vtkImageData* band)
+    {
+      if (atOnce)
       {
-        if (atOnce)
-        {
-          this->Begin(shading);
-        }
-        this->WriteRows(band);
-      });
+        this->Begin(shading);
+      }
+      this->WriteRows(band);
+    };
+    if (isTiled(this->Heights))
+    {
+      this->Tiles.emplace(this->Given, this->Heights, shading, shadedBytes(this->Given));
+      report = this->Tiles->Shade(upward, part, take);
+    }
+    else
+    {
+      report = shadeBands(shading, this->Given.Input, rows, upward, part, take);
+    }
   }
   printWarnings(this->Given);
   this->Finish(shading, scene);
+  if (this->Tiles)
+  {
+    this->Tiles->Finish();
+  }
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include "OutputFile.h"
 #include "PictureOutput.h"
 #include "RasterFiles.h"
+#include "TileShading.h"
 
 #include <memory>
 #include <optional>
@@ -55,6 +56,7 @@ private:
   void Finish(vtkImageReliefShading* shading, vtkReliefScene* scene);
 
   const Options& Given;
+  const Raster& Heights;
   GeoReference& Reference;
   std::optional<PictureOutput> Picture;
   std::optional<LayersWriter> Layers;
@@ -62,6 +64,7 @@ private:
   std::optional<PictureOutput> Mask;
   std::optional<OutputFile> Scene;
   std::optional<AccuracyOutput> Report;
+  std::optional<TileShading> Tiles; // of heights that do not fit into memory
 };
 
 }

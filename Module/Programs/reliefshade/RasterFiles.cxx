@@ -317,14 +317,21 @@ double machineMemory()
 }
 
 //------------------------------------------------------------------------------
+std::unique_ptr<relief::raster::RasterFile> openRaster(
+  const std::string& file, const ReadOptions& options)
+{
+  return relief::raster::OpenEncoded(
+    options, [&file](const ReadOptions& band) { return openFile(file, band); });
+}
+
+//------------------------------------------------------------------------------
 Raster readRaster(
   const std::string& file, const ReadOptions& options, MemoryBudget& budget, double bytesPerSample)
 {
   Raster raster;
   const auto read = [&]
   {
-    const std::unique_ptr<relief::raster::RasterFile> source = relief::raster::OpenEncoded(
-      options, [&file](const ReadOptions& band) { return openFile(file, band); });
+    const std::unique_ptr<relief::raster::RasterFile> source = openRaster(file, options);
     raster = relief::raster::ReadHeights(*source, options, { budget, 1.0, bytesPerSample }, goOn);
   };
   aboutFile(file,

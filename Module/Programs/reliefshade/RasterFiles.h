@@ -5,6 +5,7 @@
 #include "MapFrame.h"
 #include "RasterFile.h"
 
+#include <memory>
 #include <string>
 
 namespace reliefshade
@@ -19,6 +20,10 @@ using relief::raster::ReadOptions;
 
 /// The memory that the machine has, in bytes.
 double machineMemory();
+
+/// Opens such a file by its header. Throws a Failure, or an OptionFailure of Module/Raster.
+std::unique_ptr<relief::raster::RasterFile> openRaster(
+  const std::string& file, const ReadOptions& options);
 
 /// Reads heights from any raster that Module/Raster knows, else from a picture that OpenImageIO
 /// knows, in the file's own number type; `bytesPerSample` is what each of them will need besides.

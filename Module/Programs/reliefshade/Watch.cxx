@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <stdexcept>
@@ -32,6 +33,67 @@ extern "C" void noteSignal(int number)
   std::signal(number, SIG_DFL);
 }
 
+/// A bar on the standard error stream, with the time that is left of what takes longer.
+class Bar
+{
+public:
+  void Draw(const char* what, double share)
+  {
+    const int percent = static_cast<int>(100.0 * share);
+    if (percent == this->Percent)
+    {
+      return;
+    }
+    const Clock::time_point now = Clock::now();
+    if (this->Percent < 0 || percent < this->Percent)
+    {
+      this->Begin = now; // a run that goes on begins amid its way
+      this->First = share;
+    }
+    this->Percent = percent;
+    const int filled = Width * percent / 100;
+    const std::string bar = std::string(filled, '=') + std::string(Width - filled, ' ');
+    std::fprintf(stderr, "\r%s [%s] %3d %%%-12s", what, bar.c_str(), percent,
+      this->TimeLeft(share, std::chrono::duration<double>(now - this->Begin).count()).c_str());
+  }
+
+  void Clear()
+  {
+    if (this->Percent >= 0)
+    {
+      std::fprintf(stderr, "\r%*s\r", Width + 36, "");
+      this->Percent = -1;
+    }
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int Width = 50;
+
+  std::string TimeLeft(double share, double seconds) const
+  {
+    constexpr double soon = 5.0;
+    const double left = share > this->First ? seconds * (1.0 - share) / (share - this->First) : 0.0;
+    if (seconds < soon || left < soon)
+    {
+      return "";
+    }
+    return left < 100.0 ? ", " + std::to_string(static_cast<int>(left)) + " s left"
+      : left < 6000.0   ? ", " + std::to_string(static_cast<int>(left / 60.0)) + " min left"
+                        : ", " + std::to_string(static_cast<int>(left / 3600.0)) + " h left";
+  }
+
+  int Percent = -1;
+  double First = 0.0;
+  Clock::time_point Begin;
+};
+
+Bar& bar()
+{
+  static Bar one;
+  return one;
+}
+
 class vtkWatch : public vtkCommand
 {
 public:
@@ -44,33 +106,21 @@ public:
     {
       algorithm->SetAbortExecute(1);
     }
-    if (!this->Bar)
+    if (!this->Shown)
     {
       return;
     }
     if (event == vtkCommand::EndEvent)
     {
       // The bar has done its work: the line is cleared for what the program says next.
-      std::fprintf(stderr, "\r%*s\r", Width + 24, "");
-      this->Percent = -1;
+      bar().Clear();
       return;
     }
-    const int percent = static_cast<int>(100.0 * algorithm->GetProgress());
-    if (percent != this->Percent)
-    {
-      this->Percent = percent;
-      const int filled = Width * percent / 100;
-      const std::string bar = std::string(filled, '=') + std::string(Width - filled, ' ');
-      std::fprintf(stderr, "\r%s [%s] %3d %%", this->What, bar.c_str(), percent);
-    }
+    bar().Draw(this->What, algorithm->GetProgress());
   }
 
-  bool Bar = false;
+  bool Shown = false;
   const char* What = "";
-
-private:
-  static constexpr int Width = 50;
-  int Percent = -1;
 };
 
 }
@@ -107,6 +157,19 @@ void stopIfInterrupted()
 }
 
 //------------------------------------------------------------------------------
+void showProgress(bool shown, const char* what, double share)
+{
+  if (shown && share < 1.0)
+  {
+    bar().Draw(what, share);
+  }
+  else if (shown)
+  {
+    bar().Clear();
+  }
+}
+
+//------------------------------------------------------------------------------
 void runToEnd(vtkAlgorithm* algorithm)
 {
   watch(algorithm, false);
@@ -119,10 +182,10 @@ void runToEnd(vtkAlgorithm* algorithm)
 }
 
 //------------------------------------------------------------------------------
-void watch(vtkAlgorithm* algorithm, bool bar, const char* what)
+void watch(vtkAlgorithm* algorithm, bool shown, const char* what)
 {
   vtkNew<vtkWatch> command;
-  command->Bar = bar;
+  command->Shown = shown;
   command->What = what;
   algorithm->AddObserver(vtkCommand::ProgressEvent, command);
   algorithm->AddObserver(vtkCommand::EndEvent, command);

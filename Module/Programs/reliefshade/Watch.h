@@ -24,6 +24,9 @@ void stopIfInterrupted();
 /// does, on the standard error stream. It must outlive its last update.
 void watch(vtkAlgorithm* algorithm, bool bar, const char* what = "shading");
 
+/// Draws, if `bar`, what is done of a step that is no algorithm's; all of it clears the line.
+void showProgress(bool bar, const char* what, double share);
+
 /// Updates an algorithm until it is done or interrupted. Throws the failure that ends an
 /// interrupted run, or a std::runtime_error with what the algorithm says.
 void runToEnd(vtkAlgorithm* algorithm);

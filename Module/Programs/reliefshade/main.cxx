@@ -21,6 +21,7 @@
 #include "StandardStreams.h"
 #include "SunTimes.h"
 #include "Threads.h"
+#include "TileShading.h"
 #include "Watch.h"
 
 #include "vtkDataArray.h"
@@ -238,13 +239,14 @@ void run(Options& options)
   MemoryBudget budget(options.MemoryLimit, "--memory-limit");
   ReadOptions reading = options.Reading;
   reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
-  Raster raster = isMesh(options.Input)
-    ? readMesh(options.Input, options.View, budget, bytesPerSample(options))
+  const bool tiled = readsAsNeeded(options);
+  Raster raster = tiled     ? readAsNeeded(options)
+    : isMesh(options.Input) ? readMesh(options.Input, options.View, budget, bytesPerSample(options))
     : options.Sculpted.Green ? readNormalMap(options.Input, options.Mask,
                                  options.Spacing.value_or(std::array<double, 2>{ 1.0, 1.0 }),
                                  options.Sculpted, budget, bytesPerSample(options))
                              : readRaster(options.Input, reading, budget, bytesPerSample(options));
-  if (!options.Mask.empty() && !options.Sculpted.Green)
+  if (!options.Mask.empty() && !options.Sculpted.Green && !tiled)
   {
     addMask(options.Mask, ReadOptions(), options.Input, budget, raster);
   }

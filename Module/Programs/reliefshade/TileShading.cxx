@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TileShading.h"
+
+#include "Failure.h"
+#include "MessageLog.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "RunKey.h"
+#include "Taker.h"
+#include "TileStore.h"
+#include "TiledHeights.h"
+#include "TiledRaster.h"
+#include "Watch.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageReliefShading.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+namespace
+{
+
+using namespace reliefshade;
+using relief::hosts::TiledHeights;
+using relief::raster::TiledRaster;
+
+constexpr double MiB = 1024.0 * 1024.0;
+
+//------------------------------------------------------------------------------
+/// The memory that a run may take; 0 for any.
+double memoryOf(const Options& options)
+{
+  return options.Memory > 0.0 ? options.Memory : options.MemoryLimit;
+}
+
+//------------------------------------------------------------------------------
+/// What needs all heights, or all of the picture, at once; empty for nothing.
+std::string optionOfWholes(const Options& options)
+{
+  return options.SmoothSteps          ? "--smooth-steps"
+    : options.Sculpted.Relief         ? "--relief"
+    : options.VerifiedSamples > 0     ? "--verify"
+    : !options.AccuracyReport.empty() ? "--accuracy-report"
+    : !options.LayersFile.empty()     ? "--layers FILE.exr"
+                                      : "";
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<TiledRaster> openTiled(const std::string& file, const ReadOptions& reading)
+{
+  return std::make_unique<TiledRaster>(
+    file, reading, [file, reading] { return openRaster(file, reading); });
+}
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+bool readsAsNeeded(const Options& options)
+{
+  // With a limit that was given, and nothing else, what needs more is refused.
+  const bool may = options.Memory > 0.0 || !options.MemoryLimitGiven;
+  if (!may || !(memoryOf(options) > 0.0) || options.Sculpted.Green || isMesh(options.Input))
+  {
+    return false;
+  }
+  double samples = 0.0;
+  bool windows = false;
+  int stored = 0;
+  aboutFile(options.Input,
+    [&]
+    {
+      try
+      {
+        const std::unique_ptr<relief::raster::RasterFile> file =
+          openRaster(options.Input, options.Reading);
+        const relief::raster::RasterHeader& header = file->GetHeader();
+        samples = 1.0 * header.Columns * header.Rows;
+        stored = vtkDataArray::GetDataTypeSize(std::max(header.ScalarType, 1));
+        windows = file->HasWindows();
+      }
+      catch (const relief::raster::OptionFailure&)
+      {
+        return; // reading tells it
+      }
+    });
+  const double picture = options.Output.empty() || isGeoTiff(options.Output) ? 0.0 : 4.0;
+  const double bytes = stored + bytesPerSample(options) + picture;
+  if (!windows || samples * bytes <= memoryOf(options))
+  {
+    return false;
+  }
+  const std::string whole = optionOfWholes(options);
+  if (!whole.empty())
+  {
+    throw Failure(whole,
+      "it needs all heights in memory, about " +
+        std::to_string(static_cast<long long>(std::ceil(samples * bytes / MiB))) +
+        " MiB; leave it out, or give as much by --memory");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+Raster readAsNeeded(const Options& options)
+{
+  Raster raster;
+  std::shared_ptr<TiledRaster> file;
+  aboutFile(options.Input, [&] { file = openTiled(options.Input, options.Reading); });
+  if (!options.Mask.empty())
+  {
+    aboutFile(options.Mask, [&] { file->SetMask(openTiled(options.Mask, ReadOptions())); });
+  }
+  file->SetWatcher(
+    [bar = showsBar(options)](double share)
+    {
+      showProgress(bar, "reading", share);
+      return !interrupted();
+    });
+  TiledRaster::LimitDecoding(memoryOf(options) / 8.0);
+  aboutFile(options.Input,
+    [&]
+    {
+      // As the scene will have it when it is in the frame of the heights.
+      const double scale = options.Scene->GetHeightScale() * file->GetHeader().HeightUnit;
+      raster = relief::raster::ReadTiled(file, scale);
+    });
+  return raster;
+}
+
+//------------------------------------------------------------------------------
+bool isTiled(const Raster& raster)
+{
+  return TiledHeights::SafeDownCast(raster.Heights->GetPointData()->GetScalars()) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+TileShading::TileShading(
+  const Options& options, const Raster& raster, vtkImageReliefShading* shading, double sampleBytes)
+  : Given(options)
+  , Heights(raster)
+  , Shading(shading)
+{
+  this->Arrays = { "Shading" };
+  const std::pair<bool, const char*> layers[] = { { shading->GetGenerateIllumination(),
+                                                    "Illumination" },
+    { shading->GetGenerateThickness(), "Thickness" }, { shading->GetGenerateShadow(), "Shadow" },
+    { shading->GetGenerateNormals(), "Normals" }, { shading->GetGenerateBase(), "Base" },
+    { shading->GetGenerateDiffuse(), "Diffuse" }, { shading->GetGenerateScatter(), "Scatter" },
+    { shading->GetGenerateSpecular(), "Specular" } };
+  for (const auto& [on, name] : layers)
+  {
+    if (on)
+    {
+      this->Arrays.emplace_back(name);
+    }
+  }
+  this->Cut(sampleBytes);
+  const std::string folder =
+    (options.Output.empty() ? options.ShadowMask : options.Output) + ".parts";
+  aboutFile(folder,
+    [&] { this->Store = std::make_unique<relief::streaming::TileStore>(folder, this->GetKey()); });
+}
+
+//------------------------------------------------------------------------------
+TileShading::~TileShading() = default;
+
+//------------------------------------------------------------------------------
+std::vector<TileShading::Extent> TileShading::PiecesOf(int columns, int rows) const
+{
+  std::vector<Extent> pieces;
+  for (int j = 0; j < this->Heights.Rows; j += rows)
+  {
+    for (int i = 0; i < this->Heights.Columns; i += columns)
+    {
+      pieces.push_back({ i, std::min(i + columns, this->Heights.Columns) - 1, j,
+        std::min(j + rows, this->Heights.Rows) - 1, 0, 0 });
+    }
+  }
+  return pieces;
+}
+
+//------------------------------------------------------------------------------
+/// What is in memory while a piece is shaded and the one before is saved.
+double TileShading::BytesOf(const Extent& piece, double sampleBytes) const
+{
+  const double samples = (piece[1] - piece[0] + 1.0) * (piece[3] - piece[2] + 1.0);
+  return 1024.0 * this->Shading->EstimateMemory(piece.data()) + 2.0 * sampleBytes * samples;
+}
+
+//------------------------------------------------------------------------------
+/// Bands as high as fit; where the lowest does not, its pieces are narrower.
+void TileShading::Cut(double sampleBytes)
+{
+  constexpr int region = relief::RasterBounds::RegionSize;
+  constexpr int most = 16 * region;
+  const int width = (this->Heights.Columns + region - 1) / region * region;
+  // The rest is for the program itself, the bounds of all heights, and what files are read through.
+  const double memory = 0.7 * memoryOf(this->Given);
+  this->Columns = width;
+  this->Rows = most;
+  double largest = 0.0;
+  for (;;)
+  {
+    this->Pieces = this->PiecesOf(this->Columns, this->Rows);
+    largest = 0.0;
+    for (const Extent& piece : this->Pieces)
+    {
+      largest = std::max(largest, this->BytesOf(piece, sampleBytes));
+      if (largest > memory)
+      {
+        break;
+      }
+    }
+    if (hasError())
+    {
+      throw Failure(this->Given.Input, takeError());
+    }
+    if (largest <= memory)
+    {
+      return;
+    }
+    if (this->Rows > region)
+    {
+      this->Rows /= 2;
+    }
+    else if (this->Columns > 4 * region)
+    {
+      this->Columns = (this->Columns / 2 + region - 1) / region * region;
+    }
+    else
+    {
+      break;
+    }
+  }
+  throw Failure("--memory",
+    "the least piece, " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
+      " samples, depends on heights that take more; give at least " +
+      std::to_string(static_cast<long long>(std::ceil(largest / 0.7 / MiB))) + "M");
+}
+
+//------------------------------------------------------------------------------
+std::string TileShading::GetKey() const
+{
+  auto* heights = TiledHeights::SafeDownCast(this->Heights.Heights->GetPointData()->GetScalars());
+  auto& file = static_cast<TiledRaster&>(heights->GetSupply());
+  std::string arrays;
+  for (const std::string& array : this->Arrays)
+  {
+    arrays += " " + array;
+  }
+  return keyOfRun(this->Given, file.GetState(), this->Shading) + "arrays:" + arrays +
+    "\npieces: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::vector<TileShading::Extent> TileShading::Missing() const
+{
+  std::vector<Extent> missing;
+  std::copy_if(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(missing),
+    [this](const Extent& piece) { return !this->Store->Has(piece.data()); });
+  return missing;
+}
+
+//------------------------------------------------------------------------------
+void TileShading::ShadePieces(const RunPart& part, ShadingReport& report)
+{
+  const std::vector<Extent> missing = this->Missing();
+  const double count = static_cast<double>(this->Pieces.size());
+  double done = count - static_cast<double>(missing.size());
+  const std::function<void(vtkImageData*)> save = [this](vtkImageData* piece)
+  { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(piece); }); };
+  Taker taker(save);
+  for (const Extent& piece : missing)
+  {
+    this->Shading->SetProgressShiftScale(
+      part.Begin + part.Length * done / count, part.Length / count);
+    taker.Give(shadePart(this->Shading, this->Given.Input, piece.data(), report));
+    done += 1.0;
+  }
+  taker.Finish();
+}
+
+//------------------------------------------------------------------------------
+/// A piece from the disk. One that is damaged is shaded again.
+vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingReport& report) const
+{
+  try
+  {
+    return this->Store->Load(piece.data(), this->Arrays);
+  }
+  catch (const relief::streaming::TileDamaged& damage)
+  {
+    if (!this->Given.Quiet)
+    {
+      say("warning: " + std::string(damage.what()) + "; it is shaded again");
+    }
+  }
+  const vtkSmartPointer<vtkImageData> again =
+    shadePart(this->Shading, this->Given.Input, piece.data(), report);
+  this->Store->Save(again);
+  return again;
+}
+
+//------------------------------------------------------------------------------
+/// A band of all columns, put together of its pieces.
+vtkSmartPointer<vtkImageData> TileShading::LoadBand(int firstRow, ShadingReport& report) const
+{
+  auto band = vtkSmartPointer<vtkImageData>::New();
+  for (const Extent& extent : this->Pieces)
+  {
+    if (extent[2] != firstRow)
+    {
+      continue;
+    }
+    const vtkSmartPointer<vtkImageData> piece = this->Load(extent, report);
+    if (this->Columns >= this->Heights.Columns)
+    {
+      return piece;
+    }
+    if (band->GetNumberOfPoints() == 0)
+    {
+      this->MakeRoom(piece, band);
+    }
+    for (const std::string& name : this->Arrays)
+    {
+      vtkDataArray* from = piece->GetPointData()->GetArray(name.c_str());
+      vtkDataArray* to = band->GetPointData()->GetArray(name.c_str());
+      const int components = from->GetNumberOfComponents();
+      const vtkIdType width = extent[1] - extent[0] + 1;
+      const std::size_t bytes =
+        static_cast<std::size_t>(width) * components * from->GetDataTypeSize();
+      for (vtkIdType j = 0; j <= extent[3] - extent[2]; ++j)
+      {
+        std::memcpy(to->GetVoidPointer((j * this->Heights.Columns + extent[0]) * components),
+          from->GetVoidPointer(j * width * components), bytes);
+      }
+    }
+  }
+  return band;
+}
+
+//------------------------------------------------------------------------------
+/// Makes a band of arrays as a piece has them.
+void TileShading::MakeRoom(vtkImageData* piece, vtkImageData* band) const
+{
+  const int* extent = piece->GetExtent();
+  band->SetExtent(0, this->Heights.Columns - 1, extent[2], extent[3], 0, 0);
+  for (const std::string& name : this->Arrays)
+  {
+    vtkDataArray* values = piece->GetPointData()->GetArray(name.c_str());
+    const auto all = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
+    all->SetName(name.c_str());
+    all->SetNumberOfComponents(values->GetNumberOfComponents());
+    all->SetNumberOfTuples(band->GetNumberOfPoints());
+    band->GetPointData()->AddArray(all);
+  }
+  band->GetPointData()->SetActiveScalars(this->Arrays.front().c_str());
+}
+
+//------------------------------------------------------------------------------
+ShadingReport TileShading::Shade(
+  bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take)
+{
+  ShadingReport report;
+  this->ShadePieces({ part.Begin, 0.9 * part.Length }, report);
+  const int bands = (this->Heights.Rows + this->Rows - 1) / this->Rows;
+  for (int k = 0; k < bands; ++k)
+  {
+    stopIfInterrupted();
+    take(this->LoadBand((upward ? k : bands - 1 - k) * this->Rows, report));
+    showProgress(showsBar(this->Given), "writing", (k + 1.0) / bands);
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
+void TileShading::Finish()
+{
+  aboutFile(this->Store->GetFolder(), [this] { this->Store->Remove(); });
+}
+
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TileShading_h
+#define TileShading_h
+
+#include "BandShading.h"
+#include "RasterFiles.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImageReliefShading;
+
+namespace relief::streaming
+{
+class TileStore;
+}
+
+namespace reliefshade
+{
+
+struct Options;
+
+/// Whether the heights would not fit into the memory that the run may take, and can be read as they
+/// are needed. Throws a Failure where an option needs them all at once.
+bool readsAsNeeded(const Options& options);
+
+/// Reads the header of heights that are read as they are needed, with a mask if there is one, and
+/// goes through them once. Throws a Failure.
+Raster readAsNeeded(const Options& options);
+
+/// Whether heights are read as they are needed.
+bool isTiled(const Raster& raster);
+
+/// A run over heights that do not fit into memory. Its picture is shaded in pieces, which wait on
+/// the disk until all of them are there: a run that has been killed goes on where it was.
+class TileShading
+{
+public:
+  /// Cuts the picture into pieces that keep to the memory of the run, and opens the folder of the
+  /// run, beside the first of its files. `sampleBytes` is what a shaded sample takes. Throws a
+  /// Failure.
+  TileShading(const Options& options, const Raster& raster, vtkImageReliefShading* shading,
+    double sampleBytes);
+  ~TileShading();
+
+  /// Shades what is not there yet, then hands over all in bands of rows, the upper ones first or,
+  /// `upward`, the lower ones. Throws a Failure, and what `take` throws.
+  ShadingReport Shade(
+    bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take);
+
+  /// Removes the folder, when what was made of the pieces has its name.
+  void Finish();
+
+private:
+  using Extent = std::array<int, 6>;
+
+  void Cut(double sampleBytes);
+  double BytesOf(const Extent& piece, double sampleBytes) const;
+  std::vector<Extent> PiecesOf(int columns, int rows) const;
+  std::string GetKey() const;
+  std::vector<Extent> Missing() const;
+  void ShadePieces(const RunPart& part, ShadingReport& report);
+  vtkSmartPointer<vtkImageData> Load(const Extent& piece, ShadingReport& report) const;
+  vtkSmartPointer<vtkImageData> LoadBand(int firstRow, ShadingReport& report) const;
+  void MakeRoom(vtkImageData* piece, vtkImageData* band) const;
+
+  const Options& Given;
+  const Raster& Heights;
+  vtkImageReliefShading* Shading;
+  int Columns = 0; // of a piece
+  int Rows = 0;
+  std::vector<Extent> Pieces; // band by band, from the lower ones on
+  std::vector<std::string> Arrays;
+  std::unique_ptr<relief::streaming::TileStore> Store;
+};
+
+}
+
+#endif
