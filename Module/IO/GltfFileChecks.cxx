@@ -163,15 +163,29 @@ std::vector<char> DataBuffer(const std::string& uri, std::int64_t length)
   return bytes;
 }
 
-// A file beside the one that names it.
+// Where a file lies that another one names; empty if it is not there.
+std::string FileBeside(const std::string& fileName, const std::string& uri)
+{
+  using vtksys::SystemTools;
+  const std::string path = SystemTools::GetFilenamePath(fileName);
+  const std::string folder = path.empty() || path.back() == '/' ? path : path + "/";
+  for (const std::string& name : { folder + Decoded(uri), folder + uri })
+  {
+    if (SystemTools::FileExists(name, true))
+    {
+      return name;
+    }
+  }
+  return std::string();
+}
+
+// Data that lie in such a file.
 std::vector<char> FileBuffer(
   const std::string& fileName, const std::string& uri, std::int64_t length)
 {
   using vtksys::SystemTools;
-  const std::string folder = SystemTools::GetFilenamePath(fileName) + "/";
-  std::string beside = folder + Decoded(uri);
-  beside = SystemTools::FileExists(beside, true) ? beside : folder + uri;
-  if (!SystemTools::FileExists(beside, true))
+  const std::string beside = FileBeside(fileName, uri);
+  if (beside.empty())
   {
     Refuse("the file \"" + Shortened(Decoded(uri)) + "\" that it names is not there");
   }
@@ -187,6 +201,17 @@ std::vector<char> FileBuffer(
     Refuse("the file \"" + Shortened(Decoded(uri)) + "\" that it names cannot be read");
   }
   return bytes;
+}
+
+// Where a buffer is; empty for one inside the file.
+std::string AddressOf(const Json::Value& buffer)
+{
+  return buffer.isObject() && buffer["uri"].isString() ? buffer["uri"].asString() : "";
+}
+
+bool IsData(const std::string& uri)
+{
+  return uri.compare(0, 5, "data:") == 0;
 }
 
 // All buffers: inside the file, beside it, or as text. The loader does not know each way in which
@@ -207,7 +232,7 @@ void ReadBuffers(const std::string& fileName, std::vector<char>& inside, Model& 
     {
       Refuse("a buffer has no byteLength");
     }
-    const std::string uri = buffer["uri"].isString() ? buffer["uri"].asString() : "";
+    const std::string uri = AddressOf(buffer);
     if (uri.empty())
     {
       // Only the first can be inside.
@@ -221,8 +246,8 @@ void ReadBuffers(const std::string& fileName, std::vector<char>& inside, Model& 
     }
     else
     {
-      model.Buffers.push_back(uri.compare(0, 5, "data:") == 0 ? DataBuffer(uri, length)
-                                                              : FileBuffer(fileName, uri, length));
+      model.Buffers.push_back(
+        IsData(uri) ? DataBuffer(uri, length) : FileBuffer(fileName, uri, length));
     }
   }
   inside.clear();
@@ -496,6 +521,23 @@ Json::Value ReadGltfJson(const std::string& fileName, bool binary)
   Json::Value root = ReadJson(fileName, binary);
   CheckExtensions(root);
   return root;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GltfFiles(const std::string& fileName, bool binary)
+{
+  const Json::Value root = ReadGltfJson(fileName, binary);
+  std::vector<std::string> files;
+  for (const Json::Value& buffer : root["buffers"])
+  {
+    const std::string uri = AddressOf(buffer);
+    const std::string file = uri.empty() || IsData(uri) ? std::string() : FileBeside(fileName, uri);
+    if (!file.empty())
+    {
+      files.push_back(file);
+    }
+  }
+  return files;
 }
 
 //------------------------------------------------------------------------------

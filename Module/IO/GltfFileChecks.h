@@ -20,6 +20,10 @@ namespace relief::io
 /// its polygons.
 Json::Value ReadGltfJson(const std::string& fileName, bool binary);
 
+/// The files beside it that its buffers lie in, as far as they are there. Throws what
+/// ReadGltfJson() does.
+std::vector<std::string> GltfFiles(const std::string& fileName, bool binary);
+
 /// Makes a model whose descriptions are loaded ready for its data: leaves out what a mesh at rest
 /// does not have, and reads the buffers, of which the one inside a binary file is taken from the
 /// caller. Throws a Failure for parts that reach beyond the data, or are of no type that can be

@@ -18,6 +18,7 @@
 #include "vtkXMLPolyDataReader.h"
 
 #include "FileGuard.h"
+#include "GltfFileChecks.h"
 #include "GltfMesh.h"
 #include "MeshFileChecks.h"
 
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkReliefMeshReader);
 
@@ -228,6 +230,20 @@ bool vtkReliefMeshReader::IsMeshFile(const std::string& fileName)
   const std::string extension = relief::io::LowerExtension(fileName);
   return std::any_of(std::begin(Extensions), std::end(Extensions),
     [&extension](const char* known) { return extension == known; });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkReliefMeshReader::GetFilesBeside(const std::string& fileName)
+{
+  const std::string extension = relief::io::LowerExtension(fileName);
+  std::vector<std::string> files;
+  if (extension == ".gltf" || extension == ".glb")
+  {
+    std::string reason; // whoever reads it says so
+    relief::io::Guard(
+      [&] { files = relief::io::GltfFiles(fileName, extension == ".glb"); }, reason);
+  }
+  return files;
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class VTKIORELIEFSHADING_EXPORT vtkReliefMeshReader : public vtkPolyDataAlgorithm
 {
@@ -54,6 +55,13 @@ public:
    * Whether a file's name has the extension of a mesh.
    */
   static bool IsMeshFile(const std::string& fileName);
+
+  /**
+   * The other files that such a file is read from: those beside it in which glTF keeps its numbers.
+   * Files that are not there are left out. Empty where the file cannot be read, which reports no
+   * error.
+   */
+  static std::vector<std::string> GetFilesBeside(const std::string& fileName);
 
 protected:
   vtkReliefMeshReader();

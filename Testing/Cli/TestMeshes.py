@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """reliefshade takes meshes: heights as seen from one side, in the units of the mesh."""
 
+import json
 import os
+import struct
 import unittest
 
 from Reliefshade import Case, Picture
@@ -100,6 +102,29 @@ class Meshes(Case):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(len(result.stderr.splitlines()), 1)
         self.assertIn("1 vertices and lines, 1 triangles without area", result.stderr)
+
+    def test_numbers_in_a_file_beside(self):
+        """glTF names the file of its numbers, which is found beside it and not written over."""
+        with open(self.path("a b.bin"), "wb") as stream:
+            stream.write(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 1) + struct.pack("<4H", 0, 1, 2, 0))
+        views = [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
+                 {"buffer": 0, "byteOffset": 36, "byteLength": 6}]
+        accessors = [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                      "min": [0, 0, 0], "max": [1, 1, 1]},
+                     {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}]
+        self.mesh(json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+            "buffers": [{"byteLength": 44, "uri": "a%20b.bin"}], "bufferViews": views,
+            "accessors": accessors}), "mesh.gltf")
+        expected = self.shade("mesh.gltf", "--resolution", "64")
+        self.assertEqual(expected[10, 50][3], 255)
+        self.assertEqual(self.shade(self.path("mesh.gltf"), "--resolution", "64"), expected)
+        os.symlink("a b.bin", self.path("link.json"))
+        for name in ("a b.bin", "./a b.bin", "link.json"):
+            self.bad(2, [name, "would replace a file of mesh.gltf, which is INPUT"], "mesh.gltf", "out.png",
+                     "--save-scene", name)
+        self.assertEqual(self.shade("mesh.gltf", "--resolution", "64"), expected)
 
     def test_bad_files(self):
         self.bad(1, ["none.obj", "does not exist"], "none.obj", "out.png")

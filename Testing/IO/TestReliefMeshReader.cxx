@@ -185,6 +185,13 @@ void TestFormats()
   reader->Update();
   CHECK(reader->GetOutput()->GetNumberOfPolys() == 4);
   CHECK(reader->GetOutput()->GetBounds()[1] == 11.0);
+  // Numbers that lie in a file of their own.
+  const auto beside = vtkReliefMeshReader::GetFilesBeside(Directory + "tent.gltf");
+  CHECK(beside.size() == 1 && beside[0] == Directory + "tent.bin");
+  for (const char* alone : { "tent.glb", "tent.obj", "none.gltf" })
+  {
+    CHECK(vtkReliefMeshReader::GetFilesBeside(Directory + alone).empty());
+  }
   CHECK(!vtkReliefMeshReader::IsMeshFile("picture.png") && !vtkReliefMeshReader::IsMeshFile("obj"));
 }
 

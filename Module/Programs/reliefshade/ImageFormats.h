@@ -49,6 +49,9 @@ public:
   /// A vtkReliefMeshReader of a file.
   virtual vtkSmartPointer<vtkPolyDataAlgorithm> NewMeshReader(const std::string& file) const = 0;
 
+  /// The other files that a mesh is read from.
+  virtual std::vector<std::string> FilesBesideMesh(const std::string& file) const = 0;
+
   /// A vtkOpenImageIOWriter that writes under the very name that it gets.
   virtual vtkSmartPointer<vtkImageWriter> NewWriter() const = 0;
 

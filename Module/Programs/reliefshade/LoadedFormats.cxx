@@ -64,6 +64,11 @@ public:
     return reader;
   }
 
+  std::vector<std::string> FilesBesideMesh(const std::string& file) const override
+  {
+    return vtkReliefMeshReader::GetFilesBeside(file);
+  }
+
   vtkSmartPointer<vtkImageWriter> NewWriter() const override
   {
     auto writer = vtkSmartPointer<vtkOpenImageIOWriter>::New();

@@ -2,6 +2,8 @@
 #include "OutputFile.h"
 
 #include "Failure.h"
+#include "ImageFormats.h"
+#include "MeshHeights.h"
 #include "MessageLog.h"
 #include "RasterFile.h"
 #include "SameFile.h"
@@ -28,9 +30,16 @@ using namespace reliefshade;
 }
 
 //------------------------------------------------------------------------------
+/// The files that an input is read from, as far as its format tells.
+std::vector<std::string> filesOf(const std::string& input)
+{
+  return isMesh(input) ? imageFormats().FilesBesideMesh(input) : relief::raster::FilesOf(input);
+}
+
+//------------------------------------------------------------------------------
 void checkInput(const NamedFile& input, const std::vector<NamedFile>& outputs)
 {
-  // Found when there is something to lose: a raster is opened for it.
+  // Found when there is something to lose: files are opened for it.
   std::optional<std::vector<std::string>> files;
   for (const NamedFile& output : outputs)
   {
@@ -41,7 +50,7 @@ void checkInput(const NamedFile& input, const std::vector<NamedFile>& outputs)
     std::error_code code;
     if (std::filesystem::exists(output.Name, code))
     {
-      files = files ? files : relief::raster::FilesOf(input.Name);
+      files = files ? files : filesOf(input.Name);
       for (const std::string& file : *files)
       {
         if (relief::io::SameFile(relief::io::FileBehind(file), output.Name))
