@@ -107,6 +107,8 @@ class Look(Case):
         self.assertColour([0.2, 0.1, 0.4], plane, "--sun", "0,90,0.4,0.5,0.25,1")
         self.assertColour([0.7, 0.7, 0.7], plane, "--sun", "0,90,0.2", "--sun=-90,30")
         self.assertColour([0.95 * math.sqrt(0.5)] * 3, plane)  # the sun of a scene without lights
+        usual = re.search(r"Without any\s+light: --sun (\S+)", self.good("--help-all")).group(1)
+        self.assertEqual(self.shade(self.hills(), "--sun", usual), self.shade("hills.asc"))
 
     def test_sun_azimuth_is_clockwise_from_north(self):
         # A pyramid with slopes of 45 degrees.

@@ -21,11 +21,19 @@ using namespace reliefshade;
 namespace parameters = relief::parameters;
 
 //------------------------------------------------------------------------------
-std::string usualSun()
+std::string usualAngles()
 {
   std::ostringstream angles;
   angles << parameters::UsualAzimuth << "," << parameters::UsualAltitude;
   return angles.str();
+}
+
+/// Of a scene without lights, as --sun takes it.
+std::string usualSun()
+{
+  std::ostringstream sun;
+  sun << usualAngles() << "," << parameters::UsualIntensity;
+  return sun.str();
 }
 
 //------------------------------------------------------------------------------
@@ -242,7 +250,7 @@ void addLightOptions(OptionParser& parser, Options& options)
     "Four suns from south-west to north; a uniform white sky; the sun, at azimuth and altitude (0 "
     "to 90) in degrees, and a clear sky; a sun, and --response combined; a sun at an azimuth, and "
     "--response igor. Default of the angles: " +
-      usualSun() + ". Adds to the lights",
+      usualAngles() + ". Adds to the lights",
     [&options](const std::string& word) { addPreset(word, options); });
   parser.SetGroup("Light from all around");
   addEnvironmentOptions(parser, options);
