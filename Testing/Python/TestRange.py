@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures use their range as they come: a terrain, three times as steep as it is, under every preset."""
+"""Pictures use their range as they come: terrains, up to three times as steep as they are, under every preset."""
 
 import os
 import unittest
 
 import numpy as np
 from reliefshading import vtkImageReliefShading, vtkReliefRasterReader, vtkReliefScene
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 TERRAIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Data",
                        "jacksboro.tif")
@@ -41,6 +42,38 @@ def lambert(scene, normals):
     return encoded(total)
 
 
+def image(heights, spacing):
+    result = vtkImageData()
+    result.SetDimensions(heights.shape[1], heights.shape[0], 1)
+    result.SetSpacing(spacing, spacing, 1.0)
+    result.GetPointData().SetScalars(numpy_to_vtk(heights.ravel(), deep=1))
+    return result
+
+
+def fractal(rows, columns, power, seed):
+    """Heights whose waves are the lower the shorter they are, between -1 and 1."""
+    waves = np.fft.rfft2(np.random.default_rng(seed).normal(size=(rows, columns)))
+    length = np.hypot(np.fft.fftfreq(rows)[:, None], np.fft.rfftfreq(columns)[None, :])
+    length[0, 0] = np.inf
+    heights = np.fft.irfft2(waves / length**power, (rows, columns))
+    return heights / np.abs(heights).max()
+
+
+def mountains():
+    """As steep as any that are seen from far: half of their slopes are above 25 degrees."""
+    heights = fractal(240, 320, 2.0, 1)
+    slopes = np.hypot(*np.gradient(heights))
+    return image(heights * np.tan(np.radians(25.0)) / np.median(slopes) * 30.0, 30.0)
+
+
+def houses():
+    """Half a metre between samples of gentle ground with walls on it."""
+    heights = 4.0 * fractal(240, 320, 2.5, 2)
+    for y, x in np.random.default_rng(3).integers((10, 10), (220, 300), (25, 2)):
+        heights[y : y + 14, x : x + 18] = heights[y, x] + 5.0
+    return image(heights, 0.5)
+
+
 class TestRange(unittest.TestCase):
     def setUp(self):
         self.reader = vtkReliefRasterReader()
@@ -58,6 +91,17 @@ class TestRange(unittest.TestCase):
         return rgba[seen, :3].astype(float), vtk_to_numpy(layers.GetArray("Normals"))[seen]
 
     def test_presets(self):
+        self.check_presets()
+
+    def test_mountains(self):
+        self.shading.SetInputData(mountains())
+        self.check_presets()
+
+    def test_houses(self):
+        self.shading.SetInputData(houses())
+        self.check_presets()
+
+    def check_presets(self):
         for name, prepare in PRESETS.items():
             for scale in (1.0, 2.0, 3.0):
                 with self.subTest(preset=name, scale=scale):
