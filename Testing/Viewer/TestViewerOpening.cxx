@@ -14,6 +14,7 @@
 #include <QMimeData>
 #include <QProcess>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTextBrowser>
 
 using namespace reliefviewer;
@@ -150,9 +151,11 @@ void TestViewerOpening::heightsWithoutUnit()
   QVERIFY(!window->isWindowModified());
   QCOMPARE(opened->Steps()->count(), 0);
 
-  // Another field has a scale of its own, for older steps too.
+  // Another field has a scale of its own, for older steps too, and nothing is told of the last one.
   Type(Find(window.get(), "density"), "2");
+  QVERIFY(!window->statusBar()->currentMessage().isEmpty());
   QVERIFY(window->Open(this->Hills()));
+  QVERIFY(window->statusBar()->currentMessage().isEmpty());
   QCOMPARE(scale(), 1.0);
   Trigger(window.get(), "undo");
   QCOMPARE(scale(), 1.0);

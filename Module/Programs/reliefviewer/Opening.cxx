@@ -19,6 +19,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStackedWidget>
+#include <QStatusBar>
 
 #include <algorithm>
 
@@ -135,6 +136,7 @@ bool MainWindow::ReadHeights(const QString& file, const Field& like)
   {
     warnings += QString::fromStdString(warning.Text);
   }
+  this->statusBar()->clearMessage(); // it was of another field
   this->Shown->SetField(file, std::move(field));
   this->Middle->setCurrentWidget(this->Picture);
   for (QAction* action : this->NeedField)
