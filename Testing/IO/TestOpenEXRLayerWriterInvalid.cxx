@@ -26,7 +26,7 @@ void Refused(
   writer->SetFileName(name.c_str());
   writer->Write();
   CHECK(writer->GetErrorCode() == code);
-  CHECK(messages.OneError("Cannot write \"" + name + "\": "));
+  CHECK(messages.OneError(EndOfName(name)));
   writer->Write();
   CHECK(messages.OneError(text));
   CHECK(pipeline.Silent());
@@ -166,7 +166,7 @@ void TestWholeFiles()
       writer->Write();
       setrlimit(RLIMIT_FSIZE, &before);
       CHECK(writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError);
-      CHECK(messages.OneError("Cannot write \"" + name + "\": writing failed: "));
+      CHECK(messages.OneError(EndOfName(name) + "writing failed: "));
       CHECK(untouched());
     }
 #endif

@@ -29,7 +29,7 @@ void Refused(const std::string& name, unsigned long code, const std::string& tex
   reader->SetFileName(name.c_str());
   reader->Update();
   CHECK(reader->GetErrorCode() == code);
-  CHECK(messages.OneError("Cannot read \"" + name + "\": "));
+  CHECK(messages.OneError(EndOfName(name)));
   CHECK(pipeline.Silent());
   CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
   CHECK(reader->GetMaskOutput()->GetNumberOfPoints() == 0);

@@ -278,7 +278,7 @@ void Refused(vtkImageData* image, const std::string& name, unsigned long code,
   writer->SetPixelType(pixelType);
   writer->Write();
   CHECK(writer->GetErrorCode() == code);
-  CHECK(messages.OneError("Cannot write \"" + name + "\": "));
+  CHECK(messages.OneError(EndOfName(name)));
   writer->Write();
   CHECK(messages.OneError(text));
   CHECK(pipeline.Silent());
@@ -403,7 +403,7 @@ void TestWholeFiles()
     writer->Write();
     setrlimit(RLIMIT_FSIZE, &before);
     CHECK(writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError);
-    CHECK(messages.OneError("Cannot write \"" + name + "\": "));
+    CHECK(messages.OneError(EndOfName(name)));
     CHECK(CountFiles(directory) == files && FileText(name) == "what was here before");
 
     // The last byte finds no room.

@@ -27,7 +27,7 @@ void Refused(
   set(reader);
   reader->Update();
   CHECK(reader->GetErrorCode() == code);
-  CHECK(messages.OneError("Cannot read \"" + name + "\": "));
+  CHECK(messages.OneError(EndOfName(name)));
   CHECK(reader->GetOutput()->GetNumberOfPoints() == 0);
   CHECK(reader->GetMaskOutput()->GetNumberOfPoints() == 0);
   reader->Modified();

@@ -311,7 +311,7 @@ void Refused(vtkImageData* image, const std::string& name, unsigned long code,
   writer->SetFileName(name.c_str());
   writer->SetArrayName(array);
   writer->Write();
-  CHECK(writer->GetErrorCode() == code && messages.OneError("Cannot write \"" + name + "\": "));
+  CHECK(writer->GetErrorCode() == code && messages.OneError(EndOfName(name)));
   writer->Write();
   CHECK(messages.OneError(text) && pipeline.Silent());
 }

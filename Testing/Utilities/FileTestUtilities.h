@@ -38,6 +38,13 @@ inline std::string FileText(const std::string& name)
   return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
+/// How a file's name ends in a message, up to the reason: long ones come without their middle.
+inline std::string EndOfName(const std::string& name)
+{
+  constexpr std::size_t kept = 30;
+  return (name.size() > kept ? name.substr(name.size() - kept) : "\"" + name) + "\": ";
+}
+
 inline void WriteText(const std::string& name, const std::string& text)
 {
   std::ofstream(name, std::ios::binary) << text;
