@@ -94,6 +94,13 @@ bool Transfer(GDALDataset* dataset, GDALRWFlag way, std::array<Plane, Planes>& p
 }
 
 //------------------------------------------------------------------------------
+bool IsSurvey(const std::string& name)
+{
+  const DatasetPointer file(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER));
+  return file && file->GetMetadataItem("RELIEF_SOURCE");
+}
+
+//------------------------------------------------------------------------------
 /// A hash of all that has been kept, which tells whether a file is whole.
 std::string HashOf(const std::array<Plane, Planes>& planes, const hosts::HeightSurvey& survey)
 {
@@ -216,7 +223,13 @@ void SaveSurvey(
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
   try
   {
-    io::StagedFile staged(SurveyName(raster));
+    const std::string name = SurveyName(raster);
+    std::error_code none;
+    if (fs::exists(name, none) && !IsSurvey(name))
+    {
+      return; // somebody else's file
+    }
+    io::StagedFile staged(name);
     io::CheckPlace(staged.Name());
     const RasterBounds& bounds = survey.bounds;
     CPLStringList options;

@@ -47,7 +47,24 @@ bool shades(const Options& options)
 }
 
 //------------------------------------------------------------------------------
-/// What one sample of the filter's output takes.
+/// Whether all is shaded before any of it is written, not some rows at a time.
+bool shadesAtOnce(const Options& options)
+{
+  return !options.LayersFile.empty() || options.VerifiedSamples > 0;
+}
+
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+bool showsBar(const Options& options)
+{
+  return terminal() && !options.Quiet;
+}
+
+//------------------------------------------------------------------------------
 double shadedBytes(const Options& options)
 {
   const bool isFloat = outputType(options) == VTK_FLOAT;
@@ -64,24 +81,6 @@ double shadedBytes(const Options& options)
   const bool illumination = options.VerifiedSamples > 0 &&
     std::find(options.Layers.begin(), options.Layers.end(), "illumination") == options.Layers.end();
   return bytes + (illumination ? 4.0 : 0.0);
-}
-
-//------------------------------------------------------------------------------
-/// Whether all is shaded before any of it is written, not some rows at a time.
-bool shadesAtOnce(const Options& options)
-{
-  return !options.LayersFile.empty() || options.VerifiedSamples > 0;
-}
-
-}
-
-namespace reliefshade
-{
-
-//------------------------------------------------------------------------------
-bool showsBar(const Options& options)
-{
-  return terminal() && !options.Quiet;
 }
 
 //------------------------------------------------------------------------------

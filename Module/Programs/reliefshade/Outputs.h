@@ -31,6 +31,9 @@ bool showsBar(const Options& options);
 /// bounds, the tint, and all that is shaded at once.
 double bytesPerSample(const Options& options);
 
+/// What one sample of the filter's output takes.
+double shadedBytes(const Options& options);
+
 /// Takes bytes of a budget. Throws a Failure that names the file if there are none left.
 void claim(const std::string& file, MemoryBudget& budget, double bytes);
 

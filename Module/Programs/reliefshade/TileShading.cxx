@@ -5,6 +5,7 @@
 #include "MessageLog.h"
 #include "Options.h"
 #include "Outputs.h"
+#include "Ranks.h"
 #include "RunKey.h"
 #include "Taker.h"
 #include "TileStore.h"
@@ -35,7 +36,7 @@ constexpr double MiB = 1024.0 * 1024.0;
 /// The memory that a run may take; 0 for any.
 double memoryOf(const Options& options)
 {
-  return options.Memory > 0.0 ? options.Memory : options.MemoryLimit;
+  return options.Memory > 0.0 ? options.Memory : options.MemoryLimit / countRanks();
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +94,13 @@ bool readsAsNeeded(const Options& options)
     });
   const double picture = options.Output.empty() || isGeoTiff(options.Output) ? 0.0 : 4.0;
   const double bytes = stored + bytesPerSample(options) + picture;
-  if (!windows || samples * bytes <= memoryOf(options))
+  if (!windows && countRanks() > 1)
+  {
+    throw Failure(options.Input,
+      "its format is read as a whole, and not by several processes; gdal_translate makes a GeoTIFF "
+      "of it");
+  }
+  if (!windows || (samples * bytes <= memoryOf(options) && countRanks() < 2))
   {
     return false;
   }
@@ -125,12 +132,16 @@ Raster readAsNeeded(const Options& options)
       return !interrupted();
     });
   TiledRaster::LimitDecoding(memoryOf(options) / 8.0);
-  aboutFile(options.Input,
+  ranks().FirstAhead(
     [&]
     {
-      // As the scene will have it when it is in the frame of the heights.
-      const double scale = options.Scene->GetHeightScale() * file->GetHeader().HeightUnit;
-      raster = relief::raster::ReadTiled(file, scale);
+      aboutFile(options.Input,
+        [&]
+        {
+          // As the scene will have it when it is in the frame of the heights.
+          const double scale = options.Scene->GetHeightScale() * file->GetHeader().HeightUnit;
+          raster = relief::raster::ReadTiled(file, scale);
+        });
     });
   return raster;
 }
@@ -165,8 +176,17 @@ TileShading::TileShading(
   this->Cut(sampleBytes);
   const std::string folder =
     (options.Output.empty() ? options.ShadowMask : options.Output) + ".parts";
-  aboutFile(folder,
-    [&] { this->Store = std::make_unique<relief::streaming::TileStore>(folder, this->GetKey()); });
+  using relief::streaming::RunFolder;
+  ranks().FirstAhead(
+    [&]
+    {
+      aboutFile(folder,
+        [&]
+        {
+          this->Store = std::make_unique<relief::streaming::TileStore>(
+            folder, this->GetKey(), ranks().GetRank() == 0 ? RunFolder::Alone : RunFolder::Joined);
+        });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -200,7 +220,9 @@ double TileShading::BytesOf(const Extent& piece, double sampleBytes) const
 void TileShading::Cut(double sampleBytes)
 {
   constexpr int region = relief::RasterBounds::RegionSize;
-  constexpr int most = 16 * region;
+  // Runs of few pieces lose more when they are stopped, and are shared out badly.
+  constexpr int usualPieces = 64;
+  const int most = region * std::clamp(this->Heights.Rows / usualPieces / region, 1, 16);
   const int width = (this->Heights.Columns + region - 1) / region * region;
   // The rest is for the program itself, the bounds of all heights, and what files are read through.
   const double memory = 0.7 * memoryOf(this->Given);
@@ -270,22 +292,61 @@ std::vector<TileShading::Extent> TileShading::Missing() const
 }
 
 //------------------------------------------------------------------------------
-void TileShading::ShadePieces(const RunPart& part, ShadingReport& report)
+/// Those of this process: neighbours, which have heights in common, of about as much work as the
+/// others'.
+std::vector<TileShading::Extent> TileShading::ShareOf(const std::vector<Extent>& pieces) const
 {
-  const std::vector<Extent> missing = this->Missing();
-  const double count = static_cast<double>(this->Pieces.size());
-  double done = count - static_cast<double>(missing.size());
-  const std::function<void(vtkImageData*)> save = [this](vtkImageData* piece)
-  { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(piece); }); };
-  Taker taker(save);
-  for (const Extent& piece : missing)
+  const int count = ranks().GetCount();
+  if (count < 2)
   {
-    this->Shading->SetProgressShiftScale(
-      part.Begin + part.Length * done / count, part.Length / count);
-    taker.Give(shadePart(this->Shading, this->Given.Input, piece.data(), report));
-    done += 1.0;
+    return pieces;
   }
-  taker.Finish();
+  std::vector<double> ends; // of their work, one after another
+  double sum = 0.0;
+  for (const Extent& piece : pieces)
+  {
+    sum += this->Shading->EstimateWork(piece.data());
+    ends.push_back(sum);
+  }
+  std::vector<Extent> share;
+  double begin = 0.0;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    const double middle = 0.5 * (begin + ends[k]);
+    begin = ends[k];
+    if (std::min(static_cast<int>(middle / sum * count), count - 1) == ranks().GetRank())
+    {
+      share.push_back(pieces[k]);
+    }
+  }
+  return share;
+}
+
+//------------------------------------------------------------------------------
+void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
+{
+  std::vector<Extent> missing;
+  ranks().Together([&] { missing = this->Missing(); });
+  ranks().Together(
+    [&]
+    {
+      const std::function<void(vtkImageData*)> save = [this](vtkImageData* piece)
+      { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(piece); }); };
+      const std::vector<Extent> share = this->ShareOf(missing);
+      // What was there before counts as done.
+      const auto left =
+        static_cast<double>(missing.size()) / static_cast<double>(this->Pieces.size());
+      const double each = left / static_cast<double>(std::max<std::size_t>(share.size(), 1));
+      double at = 1.0 - left;
+      Taker taker(save);
+      for (const Extent& piece : share)
+      {
+        this->Shading->SetProgressShiftScale(part.Begin + part.Length * at, part.Length * each);
+        taker.Give(shadePart(this->Shading, this->Given.Input, piece.data(), report));
+        at += each;
+      }
+      taker.Finish();
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -370,7 +431,7 @@ ShadingReport TileShading::Shade(
   bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take)
 {
   ShadingReport report;
-  this->ShadePieces({ part.Begin, 0.9 * part.Length }, report);
+  this->ShadeShare({ part.Begin, 0.9 * part.Length }, report);
   const int bands = (this->Heights.Rows + this->Rows - 1) / this->Rows;
   for (int k = 0; k < bands; ++k)
   {

@@ -46,7 +46,10 @@ public:
     double sampleBytes);
   ~TileShading();
 
-  /// Shades what is not there yet, then hands over all in bands of rows, the upper ones first or,
+  /// Shades what is not there yet: of several processes each its share (Ranks.h). Throws a Failure.
+  void ShadeShare(const RunPart& part, ShadingReport& report);
+
+  /// Does that, then hands over all in bands of rows, the upper ones first or,
   /// `upward`, the lower ones. Throws a Failure, and what `take` throws.
   ShadingReport Shade(
     bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take);
@@ -62,7 +65,7 @@ private:
   std::vector<Extent> PiecesOf(int columns, int rows) const;
   std::string GetKey() const;
   std::vector<Extent> Missing() const;
-  void ShadePieces(const RunPart& part, ShadingReport& report);
+  std::vector<Extent> ShareOf(const std::vector<Extent>& pieces) const;
   vtkSmartPointer<vtkImageData> Load(const Extent& piece, ShadingReport& report) const;
   vtkSmartPointer<vtkImageData> LoadBand(int firstRow, ShadingReport& report) const;
   void MakeRoom(vtkImageData* piece, vtkImageData* band) const;

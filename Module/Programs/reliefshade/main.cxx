@@ -15,6 +15,7 @@
 #include "OutputNames.h"
 #include "Outputs.h"
 #include "PictureChoice.h"
+#include "Ranks.h"
 #include "RasterFiles.h"
 #include "ReferencedPicture.h"
 #include "SculptedHeights.h"
@@ -199,6 +200,43 @@ void smoothHeights(const Options& options, MemoryBudget& budget, Raster& raster)
 }
 
 //------------------------------------------------------------------------------
+/// Shades a picture, with other processes perhaps, of which one writes it.
+ShadingReport shadeFrame(const Options& options, const Raster& raster, Outputs* outputs,
+  vtkReliefScene* mapScene, vtkImageReliefShading* shading, const RunPart& part)
+{
+  ShadingReport report;
+  std::exception_ptr thrown;
+  try
+  {
+    if (outputs)
+    {
+      report = outputs->Write(shading, mapScene, part);
+    }
+    else
+    {
+      TileShading(options, raster, shading, shadedBytes(options)).ShadeShare(part, report);
+    }
+  }
+  catch (...)
+  {
+    if (ranks().HasFailed())
+    {
+      throw; // the others know
+    }
+    thrown = std::current_exception();
+  }
+  ranks().Together(
+    [&thrown]
+    {
+      if (thrown)
+      {
+        std::rethrow_exception(thrown);
+      }
+    });
+  return report;
+}
+
+//------------------------------------------------------------------------------
 /// One picture after another, if there are several; the heights stay prepared between them.
 ShadingReport shadeFrames(Options& options, const FrameFiles& files, const SunClock& clock,
   Raster& raster, std::unique_ptr<Outputs> outputs, vtkReliefScene* mapScene,
@@ -214,10 +252,16 @@ ShadingReport shadeFrames(Options& options, const FrameFiles& files, const SunCl
       clock.Place(frame);
       files.Name(options, frame);
       MemoryBudget claimed; // by the first frame, whose files took as much
-      outputs = std::make_unique<Outputs>(options, raster, claimed);
+      ranks().Together(
+        [&]
+        {
+          outputs =
+            ranks().GetRank() == 0 ? std::make_unique<Outputs>(options, raster, claimed) : nullptr;
+        });
     }
+    const RunPart part{ static_cast<double>(frame) / frames, 1.0 / frames };
     const ShadingReport report =
-      outputs->Write(shading, mapScene, { static_cast<double>(frame) / frames, 1.0 / frames });
+      shadeFrame(options, raster, outputs.get(), mapScene, shading, part);
     sum.Effects = report.Effects;
     sum.Exposure = report.Exposure;
     sum.LightsTraced = std::max(sum.LightsTraced, report.LightsTraced);
@@ -239,7 +283,8 @@ void run(Options& options)
   MemoryBudget budget(options.MemoryLimit, "--memory-limit");
   ReadOptions reading = options.Reading;
   reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
-  const bool tiled = readsAsNeeded(options);
+  bool tiled = false;
+  ranks().Together([&] { tiled = readsAsNeeded(options); });
   Raster raster = tiled     ? readAsNeeded(options)
     : isMesh(options.Input) ? readMesh(options.Input, options.View, budget, bytesPerSample(options))
     : options.Sculpted.Green ? readNormalMap(options.Input, options.Mask,
@@ -287,17 +332,21 @@ void run(Options& options)
 
   const FrameFiles files(options);
   files.Name(options, 0);
-  auto outputs = std::make_unique<Outputs>(options, raster, budget);
+  // One of several processes writes what all of them shade.
+  const bool writes = ranks().GetRank() == 0;
+  std::unique_ptr<Outputs> outputs;
+  ranks().Together(
+    [&] { outputs = writes ? std::make_unique<Outputs>(options, raster, budget) : nullptr; });
 
   vtkNew<vtkImageReliefShading> shading;
   relief::raster::SetHeights(raster, shading);
   shading->SetScene(options.Scene);
   shading->SetCacheMemoryLimit(0); // of all bands none is shaded twice
   shading->SetOutputScalarType(outputType(options));
-  readPictures(options, raster, budget, shading);
+  ranks().Together([&] { readPictures(options, raster, budget, shading); });
   generateLayers(options.Layers, shading);
   shading->SetGenerateShadow(shading->GetGenerateShadow() || !options.ShadowMask.empty());
-  if (outputs->GetLayersWriter())
+  if (outputs && outputs->GetLayersWriter())
   {
     outputs->GetLayersWriter()->Prepare(shading);
   }
@@ -336,22 +385,27 @@ const char* optionFor(Remedy remedy)
   }
 }
 
-}
-
 //------------------------------------------------------------------------------
-int main(int argc, char* argv[])
+/// What the program ends with; what went wrong has been said.
+int runCommand(int argc, char* argv[])
 {
-  catchMessages();
-  relief::raster::KeepGdalQuiet();
-  catchSignals();
   try
   {
     Options options;
-    if (parseOptions(argc, argv, options))
+    bool shades = false;
+    ranks().Together([&] { shades = parseOptions(argc, argv, options); });
+    if (shades)
     {
+      // Of several processes the first one speaks for all.
+      options.Quiet = options.Quiet || ranks().GetRank() > 0;
+      options.Statistics = options.Statistics && ranks().GetRank() == 0;
       run(options);
     }
     return Success;
+  }
+  catch (const OtherRank&)
+  {
+    return RunFailure; // which says why
   }
   catch (const Failure& failure)
   {
@@ -367,4 +421,20 @@ int main(int argc, char* argv[])
     say(error.what());
   }
   return RunFailure;
+}
+
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  catchMessages();
+  relief::raster::KeepGdalQuiet();
+  catchSignals();
+  const int code = runCommand(argc, argv);
+  if (Ranks* all = startedRanks())
+  {
+    all->Leave(code == Success || all->HasFailed());
+  }
+  return code;
 }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What stands for TileShading.cxx in a build that has no rasters to read as they are needed.
+
+#include "TileShading.h"
+
+#include "Failure.h"
+#include "Options.h"
+
+namespace relief::streaming
+{
+class TileStore
+{
+};
+}
+
+namespace reliefshade
+{
+
+//------------------------------------------------------------------------------
+bool readsAsNeeded(const Options& options)
+{
+  if (options.Memory > 0.0)
+  {
+    throw Failure("--memory",
+      "this program is built without the module for heights that do not fit into memory",
+      UsageFailure);
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+Raster readAsNeeded(const Options&)
+{
+  throw Failure("--memory", "heights in memory are expected");
+}
+
+//------------------------------------------------------------------------------
+bool isTiled(const Raster&)
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+TileShading::TileShading(
+  const Options& options, const Raster& raster, vtkImageReliefShading* shading, double)
+  : Given(options)
+  , Heights(raster)
+  , Shading(shading)
+{
+}
+
+//------------------------------------------------------------------------------
+TileShading::~TileShading() = default;
+
+//------------------------------------------------------------------------------
+void TileShading::ShadeShare(const RunPart&, ShadingReport&) {}
+
+//------------------------------------------------------------------------------
+ShadingReport TileShading::Shade(bool, const RunPart&, const std::function<void(vtkImageData*)>&)
+{
+  return ShadingReport();
+}
+
+//------------------------------------------------------------------------------
+void TileShading::Finish() {}
+
+}

@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""reliefshade on heights that do not fit into the memory it may take: the same pictures, from runs that
+are stopped, too, and from several processes."""
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+try:
+    import resource
+except ImportError:
+    resource = None  # Windows has none
+
+from Reliefshade import JACKSBORO, PROGRAM, Case, needsGdalTools
+
+# Less than the heights, and enough for pieces of some rows.
+MEMORY = ("--memory", "16M")
+PARTS = "tiles.tif.parts"
+
+
+@needsGdalTools
+class Memory(Case):
+    SIZE = ("-r", "bilinear", "-outsize", "400%", "400%")
+
+    def setUp(self):
+        super().setUp()
+        self.translate()
+
+    def translate(self, *options):
+        subprocess.run(["gdal_translate", "-q", *self.SIZE, *options, JACKSBORO, "a.tif"],
+                       cwd=self.folder, check=True)
+
+    def bytes_(self, name):
+        with open(self.path(name), "rb") as stream:
+            return stream.read()
+
+    def pieces(self):
+        return sorted(n for n in os.listdir(self.path(PARTS))
+                      if n[0].isdigit()) if os.path.isdir(self.path(PARTS)) else []
+
+    def assertSame(self, *words, names=("%s.tif",)):
+        self.good("a.tif", "whole.tif", *words)
+        self.good("a.tif", "tiles.tif", *words, *MEMORY)
+        self.assertTrue(os.path.exists(self.path("a.tif.bounds.tif")), "it was shaded in pieces")
+        for name in names:
+            self.assertEqual(self.bytes_(name % "tiles"), self.bytes_(name % "whole"), words)
+        self.assertFalse(os.path.exists(self.path(PARTS)))
+
+
+class Pictures(Memory):
+    def test_are_those_of_the_whole(self):
+        with open(self.path("tint.txt"), "w") as stream:
+            stream.write("0% 0 0 255\n50% 255 255 200\n100% 255 0 0\n")
+        for words in ((), ("--sun", "300,1"), ("--sun", "200,5,2", "--depth", "200"),
+                      ("--preset", "multidirectional", "--height-scale", "2"),
+                      ("--preset", "sky-dome", "--exposure", "auto"), ("--tint", "tint.txt"),
+                      ("--sun", "30,20", "--ks", "0.4", "--kf", "0.3", "--type", "float"),
+                      ("--height-scale", "auto", "--quiet"), ("--co", "TILED=YES", "--compress", "zstd"),
+                      ("--overviews", "--compress", "deflate")):
+            self.assertSame(*words)
+
+    def test_layers_and_masks(self):
+        names = ("%s.tif", "%s-illumination.tif", "%s-normals.tif", "%s-thickness.tif")
+        self.assertSame("--layers", "illumination,normals,thickness", "--sun", "300,10", names=names)
+        self.good("a.tif", "whole.tif", "--shadow-mask", "m1.tif", "--sun", "300,5")
+        self.good("a.tif", "tiles.tif", "--shadow-mask", "m2.tif", "--sun", "300,5", *MEMORY)
+        self.assertEqual(self.bytes_("m1.tif"), self.bytes_("m2.tif"))
+
+    def test_a_mask_that_is_given(self):
+        subprocess.run(["gdal_translate", "-q", "-ot", "Byte", "-scale", "300", "700", "0", "4", "a.tif",
+                        "mask.tif"], cwd=self.folder, check=True)
+        self.assertSame("--mask", "mask.tif", "--sun", "300,10")
+
+    def test_numbers_of_any_type_and_layout(self):
+        for options in (("-ot", "Int16"), ("-ot", "Float64"), ("-ot", "UInt16", "-a_nodata", "400"),
+                        ("-ot", "Int32", "-scale", "0", "1000", "1000000", "1001000"),
+                        ("-co", "TILED=YES", "-co", "COMPRESS=DEFLATE"), ("-of", "VRT")):
+            name = "a.vrt" if "VRT" in options else "a.tif"
+            if name == "a.vrt":
+                shutil.move(self.path("a.tif"), self.path("b.tif"))
+                subprocess.run(["gdal_translate", "-q", "-of", "VRT", "b.tif", "a.tif"],
+                               cwd=self.folder, check=True)
+            else:
+                self.translate(*options)
+            self.assertSame("--sun", "300,15")
+
+    def test_memory_does_not_matter_nor_do_threads(self):
+        self.good("a.tif", "whole.tif", "--sun", "300,8")
+        for words in (("--memory", "10M"), ("--memory", "13000K", "--threads", "1"), ("--memory", "19.5m")):
+            self.good("a.tif", "tiles.tif", "--sun", "300,8", *words)
+            self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"), words)
+
+    def test_several_times(self):
+        frames = ("--frames", "2026-06-21T06:00+01:00,1h,3")
+        result = self.run_("a.tif", "w.tif", *frames)
+        if result.returncode == 2:
+            self.skipTest(result.stderr)
+        self.good("a.tif", "t.tif", *frames, *MEMORY)
+        whole = sorted(n for n in os.listdir(self.folder) if n.startswith("w"))
+        self.assertEqual(len(whole), 3)
+        for name in whole:
+            self.assertEqual(self.bytes_("t" + name[1:]), self.bytes_(name), name)
+
+    def test_bounds_are_kept_beside_the_raster(self):
+        self.good("a.tif", "tiles.tif", *MEMORY)
+        kept = self.bytes_("a.tif.bounds.tif")
+        self.good("a.tif", "tiles.tif", *MEMORY, "--sun", "100,20")
+        self.assertEqual(self.bytes_("a.tif.bounds.tif"), kept)
+        # Those that are damaged are made anew, those of another raster, too.
+        with open(self.path("a.tif.bounds.tif"), "r+b") as stream:
+            stream.seek(len(kept) // 2)
+            stream.write(bytes([kept[len(kept) // 2] ^ 1]))
+        self.assertSame("--sun", "100,20")
+        # A file of that name that is somebody else's stays.
+        with open(self.path("a.tif.bounds.tif"), "w") as stream:
+            stream.write("mine")
+        self.assertSame("--sun", "100,20")
+        self.assertEqual(self.bytes_("a.tif.bounds.tif"), b"mine")
+
+
+class Stopped(Memory):
+    WORDS = ("--sun", "300,3", "--preset", "sky-dome")
+
+    def start(self, *words):
+        return subprocess.Popen([PROGRAM, "a.tif", "tiles.tif", *self.WORDS, *MEMORY, *words],
+                                cwd=self.folder, stderr=subprocess.PIPE, text=True)
+
+    def stopAfter(self, pieces, number=signal.SIGKILL):
+        """Starts a run and stops it when so many pieces are there."""
+        process = self.start()
+        end = time.monotonic() + 300
+        while len(self.pieces()) < pieces and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.001)
+        process.send_signal(number)
+        process.wait()
+        process.stderr.close()
+        return process.returncode
+
+    def rays(self, *words):
+        result = self.run_("a.tif", "tiles.tif", *self.WORDS, *MEMORY, "--statistics", *words)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return int(next(line for line in result.stdout.splitlines()
+                        if line.startswith("rays-traced")).split()[1])
+
+    def test_goes_on_where_it_was(self):
+        self.good("a.tif", "whole.tif", *self.WORDS)
+        all_ = self.rays()
+        os.remove(self.path("tiles.tif"))
+        if self.stopAfter(3) != -signal.SIGKILL:
+            self.skipTest("it was done before it could be stopped")
+        self.assertFalse(os.path.exists(self.path("tiles.tif")))
+        self.assertGreaterEqual(len(self.pieces()), 3)
+        self.assertLess(self.rays(), all_)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+        self.assertFalse(os.path.exists(self.path(PARTS)))
+
+    def test_killed_at_any_moment(self):
+        self.good("a.tif", "whole.tif", *self.WORDS)
+        begin = time.monotonic()
+        self.good("a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+        took = time.monotonic() - begin
+        seed = random.randrange(1 << 30)
+        print("seed", seed)
+        moments = random.Random(seed)
+        with open(self.path("tiles.tif"), "w") as stream:
+            stream.write("before")
+        for _ in range(10):
+            process = self.start()
+            time.sleep(moments.uniform(0.0, took / 3))
+            process.kill()
+            process.wait()
+            process.stderr.close()
+            self.assertIn(self.bytes_("tiles.tif"), (b"before", self.bytes_("whole.tif")))
+        self.good("a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+        left = [n for n in os.listdir(self.folder) if n.startswith(".") and "before" in n]
+        self.assertEqual(left, [])
+
+    def test_interrupted(self):
+        code = self.stopAfter(2, signal.SIGINT)
+        if code == 0:
+            self.skipTest("it was done before it could be stopped")
+        self.assertIn(code, (130, -signal.SIGINT))
+        self.assertFalse(os.path.exists(self.path("tiles.tif")))
+        self.good("a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+
+    def prepare(self):
+        if self.stopAfter(3) == 0:
+            self.skipTest("it was done before it could be stopped")
+        return self.pieces()
+
+    def test_a_damaged_piece_is_made_again(self):
+        self.good("a.tif", "whole.tif", *self.WORDS)
+        piece = self.path(os.path.join(PARTS, self.prepare()[0]))
+        name = next(os.path.join(piece, n) for n in os.listdir(piece))
+        with open(name, "r+b") as stream:
+            stream.seek(os.path.getsize(name) // 2)
+            stream.write(b"damage")
+        result = self.run_("a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn("is damaged", lines[0])
+        self.assertIn("shaded again", lines[0])
+        self.assertLessEqual(len(lines[0]), 240)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+
+    def test_another_run_is_refused(self):
+        pieces = self.prepare()
+        said = self.bad(1, [PARTS, "another run"], "a.tif", "tiles.tif", "--sun", "100,30", *MEMORY)
+        self.assertIn("remove", said)
+        self.assertEqual(self.pieces(), pieces)
+
+    def test_a_raster_that_has_changed_is_refused(self):
+        pieces = self.prepare()
+        with open(self.path("a.tif"), "r+b") as stream:
+            stream.seek(os.path.getsize(self.path("a.tif")) // 2)
+            stream.write(bytes(8))
+        self.bad(1, [PARTS, "heights"], "a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+        self.assertEqual(self.pieces(), pieces)
+
+    def test_two_runs_at_once(self):
+        first = self.start("--threads", "1")
+        end = time.monotonic() + 300
+        while not self.pieces() and first.poll() is None and time.monotonic() < end:
+            time.sleep(0.001)
+        second = self.run_("a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+        _, said = first.communicate()
+        self.assertEqual((first.returncode, said), (0, ""))
+        if second.returncode != 0:  # else it came when the first one was done
+            self.assertIn("another run is writing", second.stderr)
+        self.good("a.tif", "whole.tif", *self.WORDS)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+
+    @unittest.skipUnless(resource, "needs limits of resources")
+    def test_a_full_disk(self):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+
+        said = self.bad(1, [PARTS], "a.tif", "tiles.tif", *self.WORDS, *MEMORY, preexec_fn=limit)
+        self.assertLessEqual(len(said), 240)
+        self.assertFalse(os.path.exists(self.path("tiles.tif")))
+        self.good("a.tif", "tiles.tif", *self.WORDS, *MEMORY)
+
+
+class Errors(Memory):
+    def test_words(self):
+        for word in ("0", "-5M", "M", "4X", "four", "1e999", "nan", "4MM"):
+            self.bad(2, ["--memory", "a number of bytes"], "a.tif", "o.tif", "--memory=" + word)
+
+    def test_too_little(self):
+        self.bad(1, ["--memory", "give at least"], "a.tif", "o.tif", "--memory", "10K")
+        self.assertFalse(os.path.exists(self.path("o.tif.parts")))
+
+    def test_what_needs_all_heights(self):
+        for words in (("--smooth-steps",), ("--verify", "10"), ("--accuracy-report", "r.csv"),
+                      ("--layers", "base,l.exr")):
+            said = self.bad(1, [words[0], "all heights in memory"], "a.tif", "o.tif", *words, *MEMORY)
+            self.assertIn("--memory", said)
+
+    def test_a_limit_alone_refuses(self):
+        self.bad(1, "--memory-limit", "a.tif", "o.tif", "--memory-limit", "1")
+        self.good("a.tif", "o.tif", "--memory-limit", "1", *MEMORY)
+
+    def test_what_fits_is_no_run_of_pieces(self):
+        self.good("a.tif", "o.tif", "--memory", "1G")
+        self.assertFalse(os.path.exists(self.path("a.tif.bounds.tif")))
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "needs mpirun")
+class Processes(Memory):
+    ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                       OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
+
+    def mpi(self, count, *words):
+        return subprocess.run(["mpirun", "-np", str(count), PROGRAM, *words], cwd=self.folder,
+                              env=self.ENVIRONMENT, capture_output=True, text=True, timeout=500)
+
+    def setUp(self):
+        super().setUp()
+        result = self.mpi(2, "a.tif", "tiles.tif", *MEMORY)
+        if "without MPI" in result.stderr:
+            self.skipTest("built without MPI")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_the_same_picture(self):
+        words = ("--sun", "300,5", "--layers", "illumination")
+        self.good("a.tif", "whole.tif", *words)
+        for count in (1, 2, 4):
+            result = self.mpi(count, "a.tif", "tiles.tif", *words, *MEMORY)
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+            for name in ("%s.tif", "%s-illumination.tif"):
+                self.assertEqual(self.bytes_(name % "tiles"), self.bytes_(name % "whole"), count)
+            self.assertFalse(os.path.exists(self.path(PARTS)))
+
+    def test_one_of_them_killed(self):
+        words = ("--preset", "sky-dome")
+        self.good("a.tif", "whole.tif", *words)
+        os.remove(self.path("tiles.tif"))
+        process = subprocess.Popen(["mpirun", "-np", "2", PROGRAM, "a.tif", "tiles.tif", *words, *MEMORY],
+                                   cwd=self.folder, env=self.ENVIRONMENT, stderr=subprocess.DEVNULL)
+        end = time.monotonic() + 300
+        while len(self.pieces()) < 2 and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.001)
+        children = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True)
+        for child in children.stdout.split()[:1]:
+            os.kill(int(child), signal.SIGKILL)
+        if process.wait() == 0:
+            self.skipTest("it was done before it could be stopped")
+        self.assertFalse(os.path.exists(self.path("tiles.tif")))
+        result = self.mpi(2, "a.tif", "tiles.tif", *words, *MEMORY)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+
+    def test_one_message(self):
+        result = self.mpi(3, "a.tif", "o.tif", "--sun", "north")
+        self.assertNotEqual(result.returncode, 0)
+        said = [line for line in result.stderr.splitlines() if line.startswith("reliefshade:")]
+        self.assertEqual(len(said), 1, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
