@@ -9,6 +9,7 @@
 #include "MemoryBudget.h"
 #include "Raster.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -110,8 +111,10 @@ std::unique_ptr<RasterFile> OpenPicture(const std::string& file, const ReadOptio
 VTKIORELIEFRASTER_EXPORT Raster ReadHeights(RasterFile& file, const ReadOptions& options,
   const MemoryPlan& plan, const io::StepWatcher& watcher);
 
-/// The same of a window; tells nothing of what looks like no data.
-Raster ReadHeights(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window);
+/// The same of a window, with a scale and an offset of the stored values; tells nothing of what
+/// looks like no data.
+Raster ReadHeights(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window,
+  const std::array<double, 2>& scaling);
 
 /// Sets the spacing that there is right after a header was read, as ReadHeights does: throws a
 /// Failure where it is none, or the raster is sheared.

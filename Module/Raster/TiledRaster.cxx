@@ -70,6 +70,7 @@ TiledRaster::TiledRaster(const std::string& name, const ReadOptions& options, co
   }
   this->Header = file->GetHeader();
   CheckSpacing(this->Header);
+  this->SetScaling(this->Header.Scale, this->Header.Offset);
   this->Free.push_back(std::move(file));
 }
 
@@ -111,7 +112,8 @@ const std::string& TiledRaster::GetState()
       (options.NoDataFromFile ? "of the file"
           : options.NoData    ? std::to_string(*options.NoData)
                               : "none");
-    this->State += " rows " + HashOfProbes(*this);
+    this->State += " scaled by " + std::to_string(this->Scaling[0]) + " and " +
+      std::to_string(this->Scaling[1]) + " rows " + HashOfProbes(*this);
     if (this->Mask)
     {
       this->State += " mask " + this->Mask->GetState();
@@ -134,7 +136,7 @@ hosts::HeightSupply::Part TiledRaster::Read(const Window& window)
   {
     const Lease file(*this);
     const Raster raster = ReadHeights(
-      *file, this->Options, RasterFile::Window{ window.i0, window.i1, window.j0, window.j1 });
+      *file, this->Options, { window.i0, window.i1, window.j0, window.j1 }, this->Scaling);
     part.heights = raster.Heights;
     part.mask = raster.Mask;
     part.useNoData = raster.NoData.has_value();

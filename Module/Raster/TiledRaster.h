@@ -8,6 +8,7 @@
 #include "HeightSupply.h"
 #include "RasterFile.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -29,6 +30,9 @@ public:
   /// Masks the heights by another file, of the same size: there is no data where that is 0, or has
   /// none itself. Throws a Failure.
   void SetMask(std::unique_ptr<TiledRaster> mask);
+
+  /// Height = scale * stored value + offset, in place of the file's.
+  void SetScaling(double scale, double offset) { this->Scaling = { scale, offset }; }
 
   /// Who is told of passes over the heights.
   void SetWatcher(const io::StepWatcher& watcher) { this->Watcher = watcher; }
@@ -60,6 +64,7 @@ private:
   ReadOptions Options;
   Opener Open;
   RasterHeader Header;
+  std::array<double, 2> Scaling;
   std::unique_ptr<TiledRaster> Mask;
   io::StepWatcher Watcher;
   std::string State;

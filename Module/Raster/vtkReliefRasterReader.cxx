@@ -6,6 +6,7 @@
 #include "OtherContent.h"
 #include "RasterFieldData.h"
 #include "RasterFile.h"
+#include "TiledRaster.h"
 #include "UndeclaredNoData.h"
 
 #include "vtkDataArray.h"
@@ -35,6 +36,18 @@ vtkStandardNewMacro(vtkReliefRasterReader);
 /// What the header said, while the file can be read.
 struct vtkReliefRasterReader::Internals
 {
+  explicit Internals(vtkReliefRasterReader* self)
+    : Self(self)
+  {
+  }
+
+  void Check(const RasterHeader& found) const;
+  void Describe(RasterHeader told, vtkImageData* heights) const;
+  bool GoOn(double share) const;
+  void ReadPart(RasterFile& file, const RasterFile::Window& part, vtkImageData* const outputs[2]);
+  void ReadTiles(const std::string& name, vtkImageData* output) const;
+
+  vtkReliefRasterReader* Self;
   bool Readable = false;
   RasterHeader Read;
 };
@@ -136,7 +149,7 @@ vtkReliefRasterReader::vtkReliefRasterReader()
   , FileNoDataValue(std::numeric_limits<double>::quiet_NaN())
   , Place{}
   , MemoryLimit(relief::io::PhysicalMemory())
-  , Header(std::make_unique<Internals>())
+  , Header(std::make_unique<Internals>(this))
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -153,6 +166,7 @@ void vtkReliefRasterReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Degrees: " << (this->Degrees ? "On\n" : "Off\n");
   os << indent << "HeightsInMeters: " << (this->HeightsInMeters ? "On\n" : "Off\n");
   os << indent << "NoDataToNaN: " << (this->NoDataToNaN ? "On\n" : "Off\n");
+  os << indent << "ReadAsNeeded: " << (this->ReadAsNeeded ? "On\n" : "Off\n");
   os << indent << "NoDataFromFile: " << (this->NoDataFromFile ? "On\n" : "Off\n");
   os << indent << "NoDataValue: " << this->NoDataValue << "\n";
   os << indent << "FileNoDataValue: " << this->FileNoDataValue << "\n";
@@ -265,7 +279,7 @@ int vtkReliefRasterReader::RequestInformation(vtkInformation* vtkNotUsed(request
   this->Header->Read = header;
 
   int type = header.ScalarType;
-  if (IsScaled(header))
+  if (IsScaled(header) || this->ReadAsNeeded)
   {
     type = VTK_FLOAT;
   }
@@ -294,6 +308,127 @@ int vtkReliefRasterReader::RequestInformation(vtkInformation* vtkNotUsed(request
 }
 
 //------------------------------------------------------------------------------
+/// What is asked for at either port.
+static RasterFile::Window PartOf(vtkInformationVector* outputs, const int whole[6])
+{
+  RasterFile::Window part{ whole[1] + 1, whole[0], whole[3] + 1, whole[2] };
+  for (int port = 0; port < 2; ++port)
+  {
+    const int* asked =
+      outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    if (asked && asked[0] <= asked[1] && asked[2] <= asked[3])
+    {
+      part.i0 = std::max(std::min(part.i0, asked[0]), whole[0]);
+      part.i1 = std::min(std::max(part.i1, asked[1] + 1), whole[1] + 1);
+      part.j0 = std::max(std::min(part.j0, asked[2]), whole[2]);
+      part.j1 = std::min(std::max(part.j1, asked[3] + 1), whole[3] + 1);
+    }
+  }
+  return part.i0 < part.i1 && part.j0 < part.j1
+    ? part
+    : RasterFile::Window{ whole[0], whole[1] + 1, whole[2], whole[3] + 1 };
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefRasterReader::Internals::Check(const RasterHeader& found) const
+{
+  if (found.Columns != this->Read.Columns || found.Rows != this->Read.Rows ||
+    found.ScalarType != this->Read.ScalarType || found.Masked != this->Read.Masked)
+  {
+    throw Failure(vtkErrorCode::FileFormatError, "it has changed since its header was read");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Where the heights come from, for whoever reads the field data.
+void vtkReliefRasterReader::Internals::Describe(RasterHeader told, vtkImageData* heights) const
+{
+  told.NoData = this->Read.NoData;
+  AddFieldData(told, this->Self->DataOrigin, heights->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+bool vtkReliefRasterReader::Internals::GoOn(double share) const
+{
+  this->Self->UpdateProgress(share);
+  return !this->Self->GetAbortExecute();
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefRasterReader::Internals::ReadPart(
+  RasterFile& file, const RasterFile::Window& part, vtkImageData* const outputs[2])
+{
+  // The mask takes memory, and the heights once more where they change their type or are scaled.
+  const ReadOptions options = OptionsOf(this->Self);
+  const int columns = part.i1 - part.i0;
+  const int rows = part.j1 - part.j0;
+  const bool whole =
+    !file.HasWindows() || (columns == this->Read.Columns && rows == this->Read.Rows);
+  const int type = this->Self->DataScalarType;
+  MemoryBudget budget(1024.0 * static_cast<double>(this->Self->MemoryLimit), "MemoryLimit");
+  const bool changed = type != this->Read.ScalarType || IsScaled(this->Read);
+  const double besides = changed ? vtkDataArray::GetDataTypeSize(type) : 0.0;
+  const MemoryPlan plan{ budget, 1.0, 1.0 + besides };
+  if (!whole)
+  {
+    plan.Claim(columns, rows, vtkDataArray::GetDataTypeSize(this->Read.ScalarType));
+  }
+
+  // Read, and told apart what has no data.
+  Raster raster = whole ? file.Read(plan, [this](double share) { return this->GoOn(share); })
+                        : file.ReadWindow(part);
+  raster.NoData = this->Read.NoData;
+  raster.Scale = this->Read.Scale;
+  raster.Offset = this->Read.Offset;
+  MarkNoData(raster);
+  raster.Warnings.clear();
+  if (whole && (options.NoDataFromFile || options.NoData))
+  {
+    WarnOfUndeclaredNoData(raster); // who says that there is none has been told
+  }
+  Tell(this->Self, this->Self->FileName, raster.Warnings);
+  const vtkSmartPointer<vtkImageData> mask = MaskOfHeights(raster);
+  ApplyScale(raster);
+  if (IsFloating(type))
+  {
+    MarkMasked(raster, mask, type);
+  }
+  raster.Heights->GetPointData()->GetScalars()->SetName("Heights");
+  outputs[0]->ShallowCopy(raster.Heights);
+  outputs[1]->ShallowCopy(mask);
+  for (int port = 0; port < 2 && !whole; ++port)
+  {
+    outputs[port]->SetExtent(part.i0, part.i1 - 1, part.j0, part.j1 - 1, 0, 0);
+  }
+  this->Describe(file.GetHeader(), outputs[0]);
+}
+
+//------------------------------------------------------------------------------
+void vtkReliefRasterReader::Internals::ReadTiles(
+  const std::string& name, vtkImageData* output) const
+{
+#ifdef RELIEFRASTER_USE_GDAL
+  const ReadOptions options = OptionsOf(this->Self);
+  const auto file =
+    std::make_shared<TiledRaster>(name, options, [name, options] { return Open(name, options); });
+  this->Check(file->GetHeader());
+  file->SetScaling(this->Read.Scale, this->Read.Offset);
+  // Only while this goes on: the file outlives this object.
+  file->SetWatcher([this](double share) { return this->GoOn(share); });
+  const Raster raster = ReadTiled(file, 1.0);
+  file->SetWatcher(relief::io::StepWatcher());
+  raster.Heights->GetPointData()->GetScalars()->SetName("Heights");
+  output->ShallowCopy(raster.Heights);
+  this->Describe(file->GetHeader(), output);
+#else
+  (void)name;
+  (void)output;
+  throw Failure(vtkErrorCode::FileFormatError,
+    "ReadAsNeeded is on, for which this library would have to be built with GDAL");
+#endif
+}
+
+//------------------------------------------------------------------------------
 int vtkReliefRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
@@ -312,47 +447,14 @@ int vtkReliefRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
   this->ErrorCode = Guard(
     [&]
     {
-      const ReadOptions options = OptionsOf(this);
-      const std::unique_ptr<RasterFile> file = Open(name, options);
-      const RasterHeader& expected = this->Header->Read;
-      const RasterHeader& found = file->GetHeader();
-      if (found.Columns != expected.Columns || found.Rows != expected.Rows ||
-        found.ScalarType != expected.ScalarType || found.Masked != expected.Masked)
+      if (this->ReadAsNeeded)
       {
-        throw Failure(vtkErrorCode::FileFormatError, "it has changed since its header was read");
+        this->Header->ReadTiles(name, outputs[0]);
+        return;
       }
-      const auto goOn = [this](double share)
-      {
-        this->UpdateProgress(share);
-        return !this->GetAbortExecute();
-      };
-      MemoryBudget budget(1024.0 * static_cast<double>(this->MemoryLimit), "MemoryLimit");
-      // The mask, and the heights once more where they change their type or are scaled.
-      const bool changed = this->DataScalarType != expected.ScalarType || IsScaled(expected);
-      const double besides = changed ? vtkDataArray::GetDataTypeSize(this->DataScalarType) : 0.0;
-      Raster raster = file->Read({ budget, 1.0, 1.0 + besides }, goOn);
-      raster.NoData = expected.NoData;
-      raster.Scale = expected.Scale;
-      raster.Offset = expected.Offset;
-      MarkNoData(raster);
-      raster.Warnings.clear();
-      if (options.NoDataFromFile || options.NoData)
-      {
-        WarnOfUndeclaredNoData(raster); // who says that there is none has been told
-      }
-      Tell(this, name, raster.Warnings);
-      const vtkSmartPointer<vtkImageData> mask = MaskOfHeights(raster);
-      ApplyScale(raster);
-      if (IsFloating(this->DataScalarType))
-      {
-        MarkMasked(raster, mask, this->DataScalarType);
-      }
-      raster.Heights->GetPointData()->GetScalars()->SetName("Heights");
-      outputs[0]->ShallowCopy(raster.Heights);
-      outputs[1]->ShallowCopy(mask);
-      RasterHeader told = file->GetHeader();
-      told.NoData = expected.NoData;
-      AddFieldData(told, this->DataOrigin, outputs[0]->GetFieldData());
+      const std::unique_ptr<RasterFile> file = Open(name, OptionsOf(this));
+      this->Header->Check(file->GetHeader());
+      this->Header->ReadPart(*file, PartOf(outputVector, this->DataExtent), outputs);
     },
     reason);
 

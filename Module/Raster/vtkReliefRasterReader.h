@@ -64,8 +64,11 @@
  * (heights that end early or are damaged), UnknownError. AbortExecute gives empty outputs, the code
  * UserError and no message.
  *
- * Only FileName, DataSpacing and DataOrigin are used of the superclass. The whole raster is read,
- * whatever part is asked for.
+ * <b>Parts.</b> Of most formats no more is read than the extent that is asked for; of ESRI ASCII
+ * grids, encoded heights and what GDAL does not read all of it is. See ReadAsNeeded for rasters
+ * that do not fit into memory.
+ *
+ * Only FileName, DataSpacing and DataOrigin are used of the superclass.
  *
  * @sa vtkReliefRasterWriter vtkImageReliefShading
  */
@@ -134,6 +137,20 @@ public:
   vtkSetMacro(HeightsInMeters, bool);
   vtkGetMacro(HeightsInMeters, bool);
   vtkBooleanMacro(HeightsInMeters, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether heights are read when vtkImageReliefShading needs them, so that they need not fit into
+   * memory. A first pass over all of them finds their bounds, which are kept beside the file, as
+   * `<file>.bounds.tif`, for the next time. Ask the filter for one extent after another, each as
+   * large as there is room for (vtkImageReliefShading::EstimateMemory()). To all others it is an
+   * image of float heights that is slow to look at. Samples without data are NaN; output 1 stays
+   * empty. An error for formats that are read as a whole. Default: off.
+   */
+  vtkSetMacro(ReadAsNeeded, bool);
+  vtkGetMacro(ReadAsNeeded, bool);
+  vtkBooleanMacro(ReadAsNeeded, bool);
   ///@}
 
   ///@{
@@ -214,6 +231,7 @@ protected:
   bool Degrees = false;
   bool HeightsInMeters = true;
   bool NoDataToNaN = true;
+  bool ReadAsNeeded = false;
   bool NoDataFromFile = true;
   double NoDataValue;
   double FileNoDataValue;

@@ -18,7 +18,7 @@ except ImportError:
 from Reliefshade import JACKSBORO, PROGRAM, Case, needsGdalTools
 
 # Less than the heights, and enough for pieces of some rows.
-MEMORY = ("--memory", "16M")
+MEMORY = ("--memory", "20M")
 PARTS = "tiles.tif.parts"
 
 
@@ -90,7 +90,7 @@ class Pictures(Memory):
 
     def test_memory_does_not_matter_nor_do_threads(self):
         self.good("a.tif", "whole.tif", "--sun", "300,8")
-        for words in (("--memory", "10M"), ("--memory", "13000K", "--threads", "1"), ("--memory", "19.5m")):
+        for words in (("--memory", "14M"), ("--memory", "17000K", "--threads", "1"), ("--memory", "20.5m")):
             self.good("a.tif", "tiles.tif", "--sun", "300,8", *words)
             self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"), words)
 
