@@ -76,7 +76,7 @@ class Pictures(Memory):
         self.assertSame("--mask", "mask.tif", "--sun", "300,10")
 
     def test_numbers_of_any_type_and_layout(self):
-        for options in (("-ot", "Int16"), ("-ot", "Float64"), ("-ot", "UInt16", "-a_nodata", "400"),
+        for options in (("-ot", "Int16"), ("-ot", "Float64"), ("-ot", "UInt16", "-a_nodata", "282"),
                         ("-ot", "Int32", "-scale", "0", "1000", "1000000", "1001000"),
                         ("-co", "TILED=YES", "-co", "COMPRESS=DEFLATE"), ("-of", "VRT")):
             name = "a.vrt" if "VRT" in options else "a.tif"
@@ -86,7 +86,7 @@ class Pictures(Memory):
                                cwd=self.folder, check=True)
             else:
                 self.translate(*options)
-            self.assertSame("--sun", "300,15")
+            self.assertSame("--sun", "300,60")
 
     def test_memory_does_not_matter_nor_do_threads(self):
         self.good("a.tif", "whole.tif", "--sun", "300,8")
@@ -95,10 +95,8 @@ class Pictures(Memory):
             self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"), words)
 
     def test_several_times(self):
-        frames = ("--frames", "2026-06-21T06:00+01:00,1h,3")
-        result = self.run_("a.tif", "w.tif", *frames)
-        if result.returncode == 2:
-            self.skipTest(result.stderr)
+        frames = ("--quiet", "--frames", "2026-06-21T10:00-06:00,2026-06-21T14:00-06:00,2h")
+        self.good("a.tif", "w.tif", *frames)
         self.good("a.tif", "t.tif", *frames, *MEMORY)
         whole = sorted(n for n in os.listdir(self.folder) if n.startswith("w"))
         self.assertEqual(len(whole), 3)
