@@ -80,7 +80,7 @@ TiledRaster::~TiledRaster() = default;
 //------------------------------------------------------------------------------
 void TiledRaster::LimitDecoding(double bytes)
 {
-  GDALSetCacheMax64(static_cast<GIntBig>(bytes));
+  GDALSetCacheMax64(std::min(static_cast<GIntBig>(bytes), GDALGetCacheMax64()));
 }
 
 //------------------------------------------------------------------------------
