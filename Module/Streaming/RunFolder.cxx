@@ -28,7 +28,6 @@ namespace relief::streaming
 {
 namespace
 {
-constexpr const char* KeyName = "run.txt";
 constexpr const char* LockName = "lock";
 
 //------------------------------------------------------------------------------
@@ -75,8 +74,8 @@ public:
     : File(folder / LockName)
   {
 #ifdef _WIN32
-    this->Handle = CreateFileW(this->File.c_str(), GENERIC_WRITE, FILE_SHARE_DELETE, nullptr,
-      OPEN_ALWAYS, FILE_ATTRIBUTE_NORMAL, nullptr);
+    this->Handle = CreateFileW(this->File.c_str(), GENERIC_WRITE | DELETE, 0, nullptr, OPEN_ALWAYS,
+      FILE_FLAG_DELETE_ON_CLOSE, nullptr);
     if (this->Handle == INVALID_HANDLE_VALUE)
     {
       throw Refusal(folder,
@@ -103,6 +102,9 @@ public:
 #ifdef _WIN32
     CloseHandle(this->Handle);
 #else
+    // While it is held: whoever has opened it before looks whether it is still there.
+    std::error_code ignored;
+    fs::remove(this->File, ignored);
     close(this->Handle);
 #endif
   }
@@ -207,19 +209,21 @@ void RunFolder::CheckKey(const std::string& key, bool write) const
 }
 
 //------------------------------------------------------------------------------
-bool RunFolder::IsUnfinishedKey(const std::string& name)
+std::string RunFolder::UnfinishedOf(const std::string& name)
 {
-  static const std::regex form("\\.run\\.txt\\.[0-9]+-[0-9]+\\.tmp\\.(txt|old)");
-  return std::regex_match(name, form);
+  static const std::regex form("\\.(.+(\\.[^.]+))\\.[0-9]+-[0-9]+\\.tmp(\\.[^.]+)");
+  std::smatch parts;
+  return std::regex_match(name, parts, form) && (parts[3] == parts[2] || parts[3] == ".old")
+    ? parts[1].str()
+    : std::string();
 }
 
 //------------------------------------------------------------------------------
-// The lock last, and while it is held: whoever comes then begins anew.
+// The lock last: whoever comes then begins anew.
 void RunFolder::Remove()
 {
   std::error_code ignored;
   fs::remove(this->Folder / KeyName, ignored);
-  fs::remove(this->Folder / LockName, ignored);
   this->Locked.reset();
   fs::remove(this->Folder, ignored); // which leaves it where anything is in it
 }

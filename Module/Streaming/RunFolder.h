@@ -11,7 +11,8 @@
 namespace relief::streaming
 {
 /// A folder that a long run works in, and goes on in when it was ended before its time. What run it
-/// is stands in `run.txt`; `lock` keeps other processes out while one works there. Not installed.
+/// is stands in `run.txt`; `lock` keeps other processes out while one works there, and goes with
+/// it. Not installed.
 class VTKIORELIEFSTREAMING_EXPORT RunFolder
 {
 public:
@@ -35,8 +36,10 @@ public:
   /// Whether this object has the lock, and does for all what is done once.
   bool IsFirst() const { return this->Locked != nullptr; }
 
-  /// Whether a name is that of a text beside run.txt which a process was killed while writing.
-  static bool IsUnfinishedKey(const std::string& name);
+  /// The name of the file in whose place a StagedFile's name would have come if its process had not
+  /// been killed; empty for any other name.
+  static std::string UnfinishedOf(const std::string& name);
+  static constexpr const char* KeyName = "run.txt";
 
   /// Removes the key and the lock, and the folder if nothing else is in it. Nothing is done with
   /// this object then.

@@ -422,7 +422,7 @@ void TileStore::Remove()
     {
       pieces.push_back(entry.path());
     }
-    else if (RunFolder::IsUnfinishedKey(name))
+    else if (RunFolder::UnfinishedOf(name) == RunFolder::KeyName)
     {
       files.push_back(entry.path());
     }

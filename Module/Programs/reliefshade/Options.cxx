@@ -12,6 +12,7 @@
 #include "ParameterList.h"
 #include "PictureOutput.h"
 #include "SculptingOptions.h"
+#include "TilesOutput.h"
 
 #include "vtkLightCollection.h"
 #include "vtkReliefEnvironment.h"
@@ -402,6 +403,7 @@ void addRunOptions(OptionParser& parser, Options& options)
     "OUTPUT, it has the georeference and tells where there is no data; with --nodata-out value 0 "
     "says that, and 1 to 255 is what 0 to 255 was. OUTPUT may be left out",
     [&options](const std::string& file) { setShadowMask(file, options); });
+  addTilesOptions(parser, options);
   parser.Flag("--statistics",
     "Prints what was read and done. To the standard output, one 'name: value' in a line",
     options.Statistics);
@@ -551,7 +553,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
     std::cout << parameterList();
     return false;
   }
-  const bool pictureless = !options.LayersFile.empty() ||
+  const bool pictureless = !options.TilesFolder.empty() || !options.LayersFile.empty() ||
     (options.Layers.empty() && !options.ShadowMask.empty()) ||
     (options.Layers.empty() && (!options.AccuracyReport.empty() || options.VerifiedSamples > 0));
   if (options.Input.empty() || (options.Output.empty() && !pictureless))
@@ -588,6 +590,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
   checkSculpting(options.Sculpted, !options.Tint.empty());
   checkNames(options);
   checkOutputOptions(options);
+  placeTiles(options);
   return true;
 }
 

@@ -94,6 +94,12 @@ struct Options
   /// The picture of the first sun's shadow; empty for none.
   std::string ShadowMask;
 
+  /// The folder of tiles for web maps, empty for none; then Output is a file in it. Their least and
+  /// greatest zoom, and the samples along their sides.
+  std::string TilesFolder;
+  std::optional<std::array<int, 2>> TilesZoom;
+  int TilesSize = 256;
+
   /// The file that what accuracy costs is written to; empty for none.
   std::string AccuracyReport;
   /// How many samples are retraced after shading, 0 for none, and which.

@@ -23,6 +23,7 @@
 #include "SunTimes.h"
 #include "Threads.h"
 #include "TileShading.h"
+#include "TilesOutput.h"
 #include "Watch.h"
 
 #include "vtkDataArray.h"
@@ -296,6 +297,7 @@ void run(Options& options)
     addMask(options.Mask, ReadOptions(), options.Input, budget, raster);
   }
   warnOfHeights(options, raster);
+  checkTiles(options, raster);
   const bool degrees = !options.Spacing && relief::raster::LooksLikeDegrees(raster);
   if (options.Spacing)
   {
@@ -399,7 +401,8 @@ int runCommand(int argc, char* argv[])
       // Of several processes the first one speaks for all.
       options.Quiet = options.Quiet || ranks().GetRank() > 0;
       options.Statistics = options.Statistics && ranks().GetRank() == 0;
-      run(options);
+      options.TilesFolder.empty() ? run(options)
+                                  : runTiles(options, { argv + 1, argv + argc }, run);
     }
     return Success;
   }
