@@ -31,7 +31,7 @@ struct TileSpan
 };
 
 /// The tiles of a raster, from the least zoom to the greatest.
-struct TilePlan
+struct VTKIORELIEFSTREAMING_EXPORT TilePlan
 {
   int Size = 256; ///< samples of a tile's side
   std::array<int, 2> Zoom{ 0, 0 };
@@ -48,7 +48,7 @@ struct TilePlan
 };
 
 /// The metres of the map that a sample of a tile has.
-double ResolutionOf(int zoom, int size);
+VTKIORELIEFSTREAMING_EXPORT double ResolutionOf(int zoom, int size);
 
 /// Plans the tiles of a raster of so many columns and rows. The zoom is as given, or from the one
 /// at which the raster fits into one tile or two to the one whose resolution is nearest to the

@@ -17,7 +17,7 @@ namespace relief::streaming
 /// zoom, which GDAL works out where they are read. Any sample is what it is however much is read
 /// at a time, so that tiles have no seams: places are exact, not interpolated over what is read,
 /// and the width of the filter is the same everywhere. One thread at a time reads from it.
-class WarpedPicture
+class VTKIORELIEFSTREAMING_EXPORT WarpedPicture
 {
 public:
   /// Throws a Failure.

@@ -89,7 +89,7 @@ int TestTileStoreKilled(int argc, char* argv[])
       Work(folder);
       _exit(0);
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % 30000));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
