@@ -145,6 +145,10 @@ void placeTiles(Options& options)
         other,
       UsageFailure);
   }
+  if (isStandardInput(options.Input))
+  {
+    throw Failure("--xyz", "a run that goes on reads INPUT again; expected a file", UsageFailure);
+  }
   options.Output = (std::filesystem::path(options.TilesFolder) / "shaded.tif").string();
   options.Bands = Options::Rgba;
   options.OutputType = VTK_UNSIGNED_CHAR;
