@@ -12,10 +12,6 @@
 #ifdef RELIEFSHADE_STREAMING
 #include "CommandKey.h"
 #include "WebTiles.h"
-
-#include "vtkAlgorithm.h"
-#include "vtkCommand.h"
-#include "vtkNew.h"
 #endif
 
 #include <algorithm>
@@ -49,24 +45,21 @@ void inFolder(const std::function<void()>& step)
 void makeTiles(const Options& options, relief::streaming::WebTiles& tiles)
 {
   const relief::streaming::TilePlan plan = tiles.Plan(options.TilesSize, options.TilesZoom);
-  vtkNew<vtkAlgorithm> progress;
-  watch(progress, showsBar(options), "tiles");
-  const auto end = [&progress] { progress->InvokeEvent(vtkCommand::EndEvent); };
+  const bool bar = showsBar(options);
+  const auto watch = [bar](double share)
+  {
+    showProgress(bar, "tiles", share);
+    return !interrupted();
+  };
   try
   {
-    tiles.Make(plan,
-      [&progress](double share)
-      {
-        progress->UpdateProgress(share);
-        return !interrupted();
-      });
+    tiles.Make(plan, watch);
   }
   catch (...)
   {
-    end();
+    showProgress(bar, "tiles", 1.0); // the line is cleared for what is said next
     throw;
   }
-  end();
 }
 #endif
 
