@@ -180,8 +180,8 @@ void RunFolder::CheckKey(const std::string& key, bool write) const
       std::string asked;
       FindDifference(there, text, old, asked);
       throw Refusal(this->Folder,
-        "it is of another run, of \"" + io::Shortened(old) + "\", not \"" + io::Shortened(asked) +
-          "\"; remove it, or run as before");
+        "it is of another run: \"" + io::Shortened(old) + "\" there, \"" + io::Shortened(asked) +
+          "\" here; remove it, or run as before");
     }
     return;
   }

@@ -263,6 +263,18 @@ double ResolutionOf(int zoom, int size)
 }
 
 //------------------------------------------------------------------------------
+TileSpan TilePlan::Around() const
+{
+  TileSpan all = this->Finest.front();
+  if (this->Finest.size() > 1)
+  {
+    all.Columns[0] = 0;
+    all.Columns[1] = (std::int64_t{ 1 } << this->Zoom[1]) - 1;
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
 std::vector<TileSpan> TilePlan::At(int zoom) const
 {
   const int levels = this->Zoom[1] - zoom;
@@ -310,6 +322,13 @@ TilePlan PlanTiles(const raster::GeoReference& reference, const int size[2], int
     }
   }
   plan.Finest = SpansOf(plan.Bounds, plan.Zoom[1], tileSize);
+  const TileSpan all = plan.Around();
+  const std::int64_t most = std::numeric_limits<int>::max() / tileSize;
+  if (all.Columns[1] - all.Columns[0] >= most || all.Rows[1] - all.Rows[0] >= most)
+  {
+    throw Refusal("has more samples at zoom " + std::to_string(plan.Zoom[1]) +
+      " than GDAL can count; a zoom that is less is expected");
+  }
   if (plan.Bounds[2] - plan.Bounds[0] >= 360.0)
   {
     plan.Bounds[0] = -180.0;

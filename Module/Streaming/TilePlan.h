@@ -43,6 +43,8 @@ struct VTKIORELIEFSTREAMING_EXPORT TilePlan
   /// At the greatest zoom: one span, or two on both sides of 180 degrees.
   std::vector<TileSpan> Finest;
 
+  /// All of them and what is between: every column where there are two spans.
+  TileSpan Around() const;
   /// At any zoom from 0 to the greatest.
   std::vector<TileSpan> At(int zoom) const;
 };

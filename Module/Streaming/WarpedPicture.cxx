@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace relief::streaming
 {
@@ -80,24 +79,13 @@ WarpedPicture::WarpedPicture(const std::string& file, const TilePlan& plan)
   {
     throw Refusal("the shaded picture cannot be read", file);
   }
-  // Beyond 180 degrees the map goes on from its first column.
   const int zoom = plan.Zoom[1];
   const double resolution = ResolutionOf(zoom, plan.Size);
-  TileSpan all = plan.Finest.front();
-  if (plan.Finest.size() > 1)
-  {
-    all.Columns[0] = 0;
-    all.Columns[1] = (std::int64_t{ 1 } << zoom) - 1;
-  }
+  const TileSpan all = plan.Around();
   this->First[0] = all.Columns[0] * plan.Size;
   this->First[1] = all.Rows[0] * plan.Size;
   const std::int64_t columns = (all.Columns[1] + 1) * plan.Size - this->First[0];
   const std::int64_t rows = (all.Rows[1] + 1) * plan.Size - this->First[1];
-  if (std::max(columns, rows) > std::numeric_limits<int>::max())
-  {
-    throw io::Failure(vtkErrorCode::FileFormatError,
-      "zoom " + std::to_string(zoom) + " has more samples than GDAL can count; take less");
-  }
   double transform[6] = { static_cast<double>(this->First[0]) * resolution - MercatorHalf,
     resolution, 0.0, MercatorHalf - static_cast<double>(this->First[1]) * resolution, 0.0,
     -resolution };

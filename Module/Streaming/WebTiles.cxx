@@ -465,7 +465,7 @@ void WebTiles::Make(const TilePlan& plan, const io::StepWatcher& watcher)
   const std::string picture = this->GetPicture();
   const int first = plan.Zoom[1];
   TileLoop loop(watcher, CountOf(plan));
-  const std::int64_t firstColumn = plan.Finest.size() > 1 ? 0 : plan.Finest.front().Columns[0];
+  const std::int64_t firstColumn = plan.Around().Columns[0];
   loop.Run(plan.At(first), firstColumn, WarpedPicture::BlockColumns / plan.Size,
     [&] { return WarpInto(folder, picture, plan); });
   for (int zoom = first - 1; zoom >= plan.Zoom[0]; --zoom)

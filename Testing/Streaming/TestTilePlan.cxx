@@ -190,6 +190,12 @@ void TestRefusals()
   CHECK(Contains(
     Thrown([&] { PlanTiles(Place("EPSG:4326", 0.0, 90.0, 10.0, 86.0, size), size, 256, {}); }),
     "85.05"));
+  CHECK(Contains(
+    Thrown(
+      [&] {
+        PlanTiles(Place("EPSG:4326", -180.0, 90.0, 180.0, -90.0, size), size, 256, { { 0, 23 } });
+      }),
+    "at zoom 23"));
   CHECK(PlanTiles(Place("EPSG:4326", 0.0, 1.0, 1.0, 0.0, size), size, 256, { { 3, 9 } }).Zoom ==
     (std::array<int, 2>{ 3, 9 }));
 }

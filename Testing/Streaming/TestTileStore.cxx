@@ -205,7 +205,8 @@ void TestKeys()
     Thrown([&] { TileStore(folder, "input: dem.tif\nsize: 100 300\nscene: {}"); });
   CHECK(Contains(message, folder) && Contains(message, "size: 100 200") &&
     Contains(message, "size: 100 300") && Contains(message, "remove it") && message.size() < 300);
-  CHECK(Contains(Thrown([&] { TileStore(folder, key + "more\n"); }), "\"nothing\", not \"more\""));
+  CHECK(Contains(
+    Thrown([&] { TileStore(folder, key + "more\n"); }), "\"nothing\" there, \"more\" here"));
   CHECK(FileText(folder + "/run.txt") == key && CountFiles(folder) == 1);
   CHECK(Thrown([&] { TileStore(folder, key); }).empty());
 

@@ -34,6 +34,7 @@ const std::vector<vtkSmartPointer<vtkImageData>>& All()
   static const std::vector<vtkSmartPointer<vtkImageData>> all = []
   {
     std::vector<vtkSmartPointer<vtkImageData>> pieces;
+    pieces.reserve(Pieces);
     for (int k = 0; k < Pieces; ++k)
     {
       pieces.push_back(PieceOf(k));

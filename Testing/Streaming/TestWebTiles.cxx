@@ -289,6 +289,7 @@ Picture WarpAtOnce(const std::string& file, const TilePlan& plan)
     std::to_string((span.Rows[1] - span.Rows[0] + 1) * plan.Size), "-r", "cubic", "-et", "0", "-wm",
     "2000", "-wo", "XSCALE=" + scale, "-wo", "YSCALE=" + scale };
   std::vector<char*> list;
+  list.reserve(words.size() + 1);
   for (const std::string& word : words)
   {
     list.push_back(const_cast<char*>(word.c_str()));
