@@ -30,9 +30,8 @@ public:
   /// row from the north. Throws a Failure.
   void Read(std::int64_t column, std::int64_t row, int columns, int rows, unsigned char* rgba);
 
-  /// Reading goes quickest in parts that begin at a multiple of these from the first column.
+  /// Reading goes quickest in parts that begin at a multiple of these from the plan's first column.
   static constexpr int BlockColumns = 512;
-  std::int64_t FirstColumn() const { return this->First[0]; }
 
 private:
   struct Internals;
