@@ -403,7 +403,6 @@ void addRunOptions(OptionParser& parser, Options& options)
     "OUTPUT, it has the georeference and tells where there is no data; with --nodata-out value 0 "
     "says that, and 1 to 255 is what 0 to 255 was. OUTPUT may be left out",
     [&options](const std::string& file) { setShadowMask(file, options); });
-  addTilesOptions(parser, options);
   parser.Flag("--statistics",
     "Prints what was read and done. To the standard output, one 'name: value' in a line",
     options.Statistics);
@@ -493,6 +492,7 @@ bool parseOptions(int argc, char* argv[], Options& options)
   addMaterialOptions(parser, options);
   addPictureOptions(parser, options);
   addRunOptions(parser, options);
+  addTilesOptions(parser, options);
   parser.SetGroup("Help");
   bool lists = false;
   parser.Flag("--parameters",

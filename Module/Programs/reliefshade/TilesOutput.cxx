@@ -86,6 +86,7 @@ namespace reliefshade
 //------------------------------------------------------------------------------
 void addTilesOptions(OptionParser& parser, Options& options)
 {
+  parser.SetGroup("Tiles for web maps");
   parser.Word("--xyz", "DIR",
     "Writes tiles for web maps in place of OUTPUT. DIR/z/x/y.png in Web Mercator, y from the "
     "north, 8 bits of red, green, blue and alpha, none where there is no data, and DIR/tiles.json "
@@ -105,7 +106,7 @@ void addTilesOptions(OptionParser& parser, Options& options)
     [&options](const std::string& word) { options.TilesZoom = toZoom(word); });
   const std::vector<std::string> sizes = { "256", "512" };
   parser.Word("--xyz-size", "256|512",
-    "Samples along a side of the tiles that --xyz writes. Default: 256",
+    "Samples along the side of a tile. Default: 256",
     [&options, sizes](const std::string& word)
     { options.TilesSize = toChoice("--xyz-size", word, sizes) == 0 ? 256 : 512; });
 }
