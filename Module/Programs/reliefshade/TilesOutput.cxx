@@ -105,8 +105,7 @@ void addTilesOptions(OptionParser& parser, Options& options)
     "two hold all to the one whose resolution is nearest to INPUT's",
     [&options](const std::string& word) { options.TilesZoom = toZoom(word); });
   const std::vector<std::string> sizes = { "256", "512" };
-  parser.Word("--xyz-size", "256|512",
-    "Samples along the side of a tile. Default: 256",
+  parser.Word("--xyz-size", "256|512", "Samples along the side of a tile. Default: 256",
     [&options, sizes](const std::string& word)
     { options.TilesSize = toChoice("--xyz-size", word, sizes) == 0 ? 256 : 512; });
 }
