@@ -82,6 +82,13 @@ public:
     ForgetMemory(this->Values + begin, (end - begin) * sizeof(T));
   }
 
+  /// Asks for large pages for the numbers [begin, end) of reserved room, which are to be filled
+  /// all.
+  void Enlarge(std::size_t begin, std::size_t end)
+  {
+    UseLargePages(this->Values + begin, (end - begin) * sizeof(T));
+  }
+
   /// How many bytes of reserved room take memory; all of it elsewhere.
   std::size_t CountResident() const
   {

@@ -103,6 +103,7 @@ void SparseHeights::ListLayers()
     {
       this->Layers.push_back({ pitch, width, height, rows, before,
         [&numbers](std::size_t begin, std::size_t end) { numbers.Forget(begin, end); },
+        [&numbers](std::size_t begin, std::size_t end) { numbers.Enlarge(begin, end); },
         [&numbers]() { return numbers.CountResident(); } });
     }
   };
@@ -163,9 +164,37 @@ void SparseHeights::FillRun(const RegionSet::Interval& run, const Source& source
   }
 }
 
+// Neighbouring rows are one stretch: large pages begin where they do.
+void SparseHeights::Enlarge(const RegionSet& regions)
+{
+  const std::vector<RegionSet::Interval> runs = regions.GetIntervals();
+  auto whole = [&](const RegionSet::Interval& run)
+  { return run.begin == 0 && run.end == regions.GetColumns(); };
+  for (std::size_t k = 0; k < runs.size();)
+  {
+    std::size_t next = k;
+    for (; next < runs.size() && whole(runs[next]) &&
+         runs[next].row == runs[k].row + static_cast<int>(next - k);
+         ++next)
+    {
+    }
+    for (const Layer& layer : this->Layers)
+    {
+      const int first = runs[k].row * layer.height;
+      const int last = std::min(first + static_cast<int>(next - k) * layer.height, layer.rows);
+      if (next > k && last > first)
+      {
+        layer.enlarge(first * layer.pitch, last * layer.pitch);
+      }
+    }
+    k = std::max(next, k + 1);
+  }
+}
+
 void SparseHeights::FillAll(
   const RegionSet& regions, const Source& source, const ParallelFor& parallelFor)
 {
+  this->Enlarge(regions);
   ForIntervals(
     regions, parallelFor, [&](const RegionSet::Interval& run) { this->FillRun(run, source); });
   this->Filled.Add(regions);

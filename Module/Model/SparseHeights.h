@@ -36,7 +36,8 @@ namespace relief
 /// has to have it filled first: AutomaticExposure looks at tiles all over it.
 ///
 /// Takes small pages of memory, in whole ones: a region is 64 samples wide, a page of heights 1024.
-/// So what is filled should be wide rather than high. Needs a system with POSIX's mmap().
+/// So what is filled should be wide rather than high; whole rows of regions get large pages, which
+/// are touched sooner. Needs a system with POSIX's mmap().
 class SparseHeights
 {
 public:
@@ -92,6 +93,7 @@ private:
     int rows;
     std::size_t before; // numbers before the first region of a row
     std::function<void(std::size_t, std::size_t)> forget;
+    std::function<void(std::size_t, std::size_t)> enlarge;
     std::function<std::size_t()> resident;
   };
 
@@ -99,6 +101,7 @@ private:
   void ForgetIn(const Layer& layer, const RegionSet& kept) const;
   void FillAll(const RegionSet& regions, const Source& source, const ParallelFor& parallelFor);
   void FillRun(const RegionSet::Interval& run, const Source& source);
+  void Enlarge(const RegionSet& regions);
   bool ReserveRoom(int columns, int rows, bool padded);
 
   const RasterBounds* Bounds = nullptr;

@@ -17,6 +17,7 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <type_traits>
 #include <utility>
 
 namespace relief::hosts
@@ -41,10 +42,21 @@ HeightInputs InputsOf(const HeightSupply::Part& part, double scale)
 }
 
 //------------------------------------------------------------------------------
-/// Least and greatest height of a row in double, before any scale.
+/// Least and greatest height of a row in double, before any scale. `lengths` are the same row,
+/// scaled and above the datum, which for float may be none.
 template <class T>
-void AddRow(const HeightSource<T>& heights, int j, std::vector<double>& row, double ends[2])
+void AddRow(const HeightSource<T>& heights, int j, const float* lengths, double datum,
+  std::vector<double>& row, double ends[2])
 {
+  if (std::is_same_v<T, float> && heights.scale == 1.0 && datum == 0.0)
+  {
+    float lo = std::numeric_limits<float>::infinity();
+    float hi = -lo;
+    AddToRange(lengths, heights.columns, lo, hi);
+    ends[0] = std::min<double>(ends[0], lo);
+    ends[1] = std::max<double>(ends[1], hi);
+    return;
+  }
   HeightSource<T> plain = heights;
   plain.scale = 1.0;
   row.resize(static_cast<std::size_t>(heights.columns));
@@ -80,8 +92,8 @@ public:
       WithHeightSource(InputsOf(part, 1.0), Unit,
         [&](const auto& heights)
         {
-          double ends[2] = { 0.0, 0.0 };
-          AddRow(heights, 0, row->second, ends);
+          row->second.resize(static_cast<std::size_t>(heights.columns));
+          HeightReader(heights).Read(0, 0.0, row->second.data());
         });
     }
     height = row->second[static_cast<std::size_t>(i)];
@@ -151,7 +163,7 @@ std::unique_ptr<HeightSurvey> TiledHeights::MakeSurvey(double scale, double datu
             {
               float* to = lengths.data() + static_cast<std::size_t>(j - first) * columns;
               reader.Read(j - j0, datum, to);
-              AddRow(heights, j - j0, row, ends);
+              AddRow(heights, j - j0, to, datum, row, ends);
               hashes[static_cast<std::size_t>(j)] = HashRow(heights, j - j0);
             }
           });

@@ -138,6 +138,31 @@ unsigned long writePicture(const std::string& file, vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> packPicture(vtkImageData* part, const PictureForm& form)
+{
+  vtkDataArray* scalars = part->GetPointData()->GetScalars();
+  if (form.ByValue || scalars->GetNumberOfComponents() == form.GetComponents())
+  {
+    return part;
+  }
+  const auto packed = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+  packed->SetName(scalars->GetName());
+  packed->SetNumberOfComponents(form.GetComponents());
+  packed->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  const int columns = part->GetDimensions()[0];
+  const vtkIdType rows = part->GetDimensions()[1];
+  for (vtkIdType j = 0; j < rows; ++j)
+  {
+    takeRow(scalars, j * columns, columns, form,
+      static_cast<char*>(packed->GetVoidPointer(j * columns * form.GetComponents())));
+  }
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->ShallowCopy(part);
+  result->GetPointData()->SetScalars(packed);
+  return result;
+}
+
+//------------------------------------------------------------------------------
 std::string lowerExtension(const std::string& file)
 {
   return relief::io::LowerExtension(file);

@@ -34,6 +34,10 @@ bool isGeoTiff(const std::string& file);
 /// Writes a picture as it is. Returns the writer's error code; the message is left to be taken.
 unsigned long writePicture(const std::string& file, vtkImageData* image);
 
+/// A part of a shaded image with its scalars in a form; what else it has is the same. The part
+/// itself where they are, or where values mark what has no data, which is done as it is written.
+vtkSmartPointer<vtkImageData> packPicture(vtkImageData* part, const PictureForm& form);
+
 /// Writes one file, which is to be kept when all is written, some rows at a time. TIFF is GDAL's,
 /// with the georeference where there is one, and takes no memory; everything else is
 /// vtkOpenImageIOWriter's, which gets the picture as a whole.

@@ -5,6 +5,8 @@
 #include "MessageLog.h"
 #include "Options.h"
 #include "Outputs.h"
+#include "PictureChoice.h"
+#include "PictureOutput.h"
 #include "Ranks.h"
 #include "RunKey.h"
 #include "Taker.h"
@@ -22,6 +24,10 @@
 #include <cstring>
 #include <iterator>
 #include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace
 {
@@ -49,6 +55,18 @@ std::string optionOfWholes(const Options& options)
     : !options.AccuracyReport.empty() ? "--accuracy-report"
     : !options.LayersFile.empty()     ? "--layers FILE.exr"
                                       : "";
+}
+
+//------------------------------------------------------------------------------
+/// Windows of heights come and go, each of about the size of the last: their memory is not given
+/// back between them, which would cost as much as reading them.
+void keepFreedMemory()
+{
+#ifdef __GLIBC__
+  constexpr int most = 32 * 1024 * 1024; // that it takes
+  mallopt(M_MMAP_THRESHOLD, most);
+  mallopt(M_TRIM_THRESHOLD, 4 * most);
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +150,7 @@ Raster readAsNeeded(const Options& options)
       return !interrupted();
     });
   TiledRaster::LimitDecoding(memoryOf(options) / 8.0);
+  keepFreedMemory();
   ranks().FirstAhead(
     [&]
     {
@@ -172,6 +191,10 @@ TileShading::TileShading(
     {
       this->Arrays.emplace_back(name);
     }
+  }
+  if (isGeoTiff(options.Output))
+  {
+    this->Form = formOfOutput(options, relief::raster::LacksData(raster));
   }
   this->Cut(sampleBytes);
   const std::string folder =
@@ -279,6 +302,9 @@ std::string TileShading::GetKey() const
     arrays += " " + array;
   }
   return keyOfRun(this->Given, file.GetState(), this->Shading) + "arrays:" + arrays +
+    (this->Form && !this->Form->ByValue
+        ? " of " + std::to_string(this->Form->GetComponents()) + " components"
+        : "") +
     "\npieces: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) + "\n";
 }
 
@@ -331,7 +357,7 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
     [&]
     {
       const std::function<void(vtkImageData*)> save = [this](vtkImageData* piece)
-      { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(piece); }); };
+      { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(this->Pack(piece)); }); };
       const std::vector<Extent> share = this->ShareOf(missing);
       // What was there before counts as done.
       const auto left =
@@ -350,6 +376,13 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
 }
 
 //------------------------------------------------------------------------------
+/// As pieces are kept: grey pictures take a quarter of what the filter makes of them.
+vtkSmartPointer<vtkImageData> TileShading::Pack(vtkImageData* piece) const
+{
+  return this->Form ? packPicture(piece, *this->Form) : piece;
+}
+
+//------------------------------------------------------------------------------
 /// A piece from the disk. One that is damaged is shaded again.
 vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingReport& report) const
 {
@@ -365,7 +398,7 @@ vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingRepo
     }
   }
   const vtkSmartPointer<vtkImageData> again =
-    shadePart(this->Shading, this->Given.Input, piece.data(), report);
+    this->Pack(shadePart(this->Shading, this->Given.Input, piece.data(), report));
   this->Store->Save(again);
   return again;
 }

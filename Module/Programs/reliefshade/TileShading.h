@@ -3,11 +3,13 @@
 #define TileShading_h
 
 #include "BandShading.h"
+#include "PictureForm.h"
 #include "RasterFiles.h"
 
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,7 @@ private:
   std::string GetKey() const;
   std::vector<Extent> Missing() const;
   std::vector<Extent> ShareOf(const std::vector<Extent>& pieces) const;
+  vtkSmartPointer<vtkImageData> Pack(vtkImageData* piece) const;
   vtkSmartPointer<vtkImageData> Load(const Extent& piece, ShadingReport& report) const;
   vtkSmartPointer<vtkImageData> LoadBand(int firstRow, ShadingReport& report) const;
   void MakeRoom(vtkImageData* piece, vtkImageData* band) const;
@@ -77,6 +80,7 @@ private:
   int Rows = 0;
   std::vector<Extent> Pieces; // band by band, from the lower ones on
   std::vector<std::string> Arrays;
+  std::optional<PictureForm> Form; // of Shading in the pieces, where it is not that of the filter
   std::unique_ptr<relief::streaming::TileStore> Store;
 };
 

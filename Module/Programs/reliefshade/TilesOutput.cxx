@@ -6,6 +6,7 @@
 #include "Options.h"
 #include "OutputNames.h"
 #include "Outputs.h"
+#include "Ranks.h"
 #include "Threads.h"
 #include "Watch.h"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 namespace
 {
@@ -182,23 +184,45 @@ void runTiles(
       const std::vector<std::string> named = options.SceneEnvironment.empty()
         ? std::vector<std::string>()
         : std::vector<std::string>{ options.SceneEnvironment };
-      relief::streaming::WebTiles tiles(options.TilesFolder, commandKey(words, named));
-      if (tiles.AreDone())
+      // Of several processes, which shade the picture together, the first one makes the tiles.
+      std::unique_ptr<relief::streaming::WebTiles> tiles;
+      const bool first = ranks().GetRank() == 0;
+      ranks().Together(
+        [&]
+        {
+          tiles = first ? std::make_unique<relief::streaming::WebTiles>(
+                            options.TilesFolder, commandKey(words, named))
+                        : nullptr;
+        });
+      // What the first one finds, all know.
+      const bool done = ranks().FindFailed(!first || !tiles->AreDone()) == 0;
+      const bool shades = ranks().FindFailed(!first || done || tiles->HasPicture()) == 0;
+      if (done)
       {
         return;
       }
       try
       {
-        if (!tiles.HasPicture())
+        if (shades)
         {
           run(options);
         }
-        setThreads(options.Threads);
-        makeTiles(options, tiles);
+        ranks().Together(
+          [&]
+          {
+            if (first)
+            {
+              setThreads(options.Threads);
+              makeTiles(options, *tiles);
+            }
+          });
       }
       catch (...)
       {
-        tiles.Forget();
+        if (first)
+        {
+          tiles->Forget();
+        }
         throw;
       }
     });
