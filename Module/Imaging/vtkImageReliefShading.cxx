@@ -4,10 +4,12 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkExtentTranslator.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerRequestKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -24,14 +26,16 @@
 #include "HeightHash.h"
 #include "HeightScale.h"
 #include "HostInputs.h"
-#include "LargePages.h"
 #include "ModelVersion.h"
+#include "PictureArrays.h"
 #include "PictureExposure.h"
 #include "PreparedScene.h"
+#include "ReservedMemory.h"
 #include "SceneShading.h"
 #include "TiledHeights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <new>
@@ -42,54 +46,40 @@ vtkStandardNewMacro(vtkImageReliefShading);
 namespace
 {
 
-// Memory that begins at a line of the caches, which whole lines can be written to.
-constexpr std::align_val_t Line{ 64 };
-
-void FreeLines(void* memory)
+// The part of a whole extent that an output is asked for; empty if there is none.
+void FindPiece(const int whole[6], vtkInformation* outInfo, int piece[6])
 {
-  ::operator delete(memory, Line);
+  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), piece);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    piece[2 * axis] = std::max(piece[2 * axis], whole[2 * axis]);
+    piece[2 * axis + 1] = std::min(piece[2 * axis + 1], whole[2 * axis + 1]);
+  }
 }
 
-// Room for the picture. That of the last run is used again where nobody else has come to hold it,
-// as vtkImageData::AllocateScalars() does.
-template <class Array>
-vtkSmartPointer<Array> MakePicture(
-  vtkSmartPointer<vtkDataArray>& last, vtkIdType samples, int components)
+// The same before the executive has cut the piece of a number out of the extent, as it does before
+// data are made.
+void FindNumberedPiece(const int whole[6], vtkInformation* outInfo, int piece[6])
 {
-  auto array = Array::SafeDownCast(last) != nullptr && last->GetReferenceCount() == 1 &&
-      last->GetNumberOfComponents() == components && last->GetNumberOfTuples() == samples
-    ? vtkSmartPointer<Array>(Array::SafeDownCast(last))
-    : nullptr;
-  last = nullptr; // before there is more
-  if (array)
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  FindPiece(whole, outInfo, piece);
+  const int pieces = outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+  if (pieces > 1)
   {
-    array->Modified();
-    return array;
+    const int mode = outInfo->Has(vtkExtentTranslator::UPDATE_SPLIT_MODE())
+      ? outInfo->Get(vtkExtentTranslator::UPDATE_SPLIT_MODE())
+      : vtkExtentTranslator::BLOCK_MODE;
+    int all[6];
+    std::copy_n(piece, 6, all);
+    vtkNew<vtkExtentTranslator> translator;
+    translator->PieceToExtentThreadSafe(outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces,
+      outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), all, piece, mode, 0);
   }
-  using Number = typename Array::ValueType;
-  array = vtkSmartPointer<Array>::New();
-  array->SetNumberOfComponents(components);
-  const vtkIdType values = samples * components;
-  const std::size_t bytes = static_cast<std::size_t>(values) * sizeof(Number);
-  auto* memory = static_cast<Number*>(::operator new(bytes, Line));
-  relief::UseLargePages(memory, bytes);
-  array->SetArray(memory, values, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(FreeLines);
-  return array;
 }
 
-float* AddLayer(vtkImageData* image, bool wanted, const char* name, int components)
+bool IsEmpty(const int extent[6])
 {
-  if (!wanted)
-  {
-    return nullptr;
-  }
-  // Where there is no memory, VTK's own arrays would report it as well.
-  vtkSmartPointer<vtkDataArray> none;
-  const auto layer = MakePicture<vtkFloatArray>(none, image->GetNumberOfPoints(), components);
-  layer->SetName(name);
-  image->GetPointData()->AddArray(layer);
-  return layer->GetPointer(0);
+  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
 }
 
 }
@@ -105,8 +95,10 @@ public:
 
   relief::hosts::HostInputs::Reading GetReading() const;
   std::string Prepare(vtkInformationVector** inputs);
+  bool AsksForPieces(vtkInformationVector** inputs) const;
+  std::string PreparePiece(vtkInformationVector** inputs, vtkInformation* outInfo);
   void WarnOfHeights();
-  std::string MakeOutput(vtkImageData* input, vtkInformation* outInfo,
+  std::string MakeOutput(vtkImageData* input, int outExtent[6], vtkInformation* outInfo,
     vtkSmartPointer<vtkDataArray>& last, relief::Target& target);
   std::unique_ptr<relief::SceneShading> Plan(const relief::Target& target);
   relief::SceneShading* PlanTile(const relief::Target& target);
@@ -119,6 +111,7 @@ public:
 
   vtkImageReliefShading* Self;
   vtkNew<vtkReliefStatistics> Statistics;
+  bool InPieces = false;                   // what has been asked for
   relief::hosts::PictureExposure Exposure; // of the run at hand
   // What it was found from: parts of a picture are of one exposure, which is found once.
   std::uint64_t ExposedScene = 0;
@@ -181,6 +174,27 @@ vtkScalarsToColors* vtkImageReliefShading::GetLookupTable()
 void vtkImageReliefShading::SetNoDataValue(double value)
 {
   this->Internal->Inputs.SetNoDataValue(value, this->NoDataValue, this->UseNoDataValue);
+}
+
+//------------------------------------------------------------------------------
+void vtkImageReliefShading::SetHeightRange(double least, double greatest)
+{
+  // False for NaN.
+  if (!(least <= greatest && std::abs(least) <= VTK_DOUBLE_MAX && greatest <= VTK_DOUBLE_MAX))
+  {
+    vtkErrorMacro(
+      "SetHeightRange: " << least << " to " << greatest
+                         << " was given, finite numbers, the least first, are expected; "
+                         << this->HeightRange[0] << " to " << this->HeightRange[1] << " is kept.");
+    return;
+  }
+  if (this->HeightRange[0] != least || this->HeightRange[1] != greatest || !this->UseHeightRange)
+  {
+    this->HeightRange[0] = least;
+    this->HeightRange[1] = greatest;
+    this->UseHeightRange = true;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -316,16 +330,32 @@ int vtkImageReliefShading::FillInputPortInformation(int port, vtkInformation* in
 int vtkImageReliefShading::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkDataObject::SetPointDataActiveScalarInfo(
-    outputs->GetInformationObject(0), this->OutputScalarType, 4);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, this->OutputScalarType, 4);
+  if (this->UseHeightRange)
+  {
+    // A process makes the piece that it is asked for by its number, whatever its input can do.
+    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  }
   return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkImageReliefShading::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  relief::hosts::HostInputs::AskForAll(inputs);
+  Internals& internal = *this->Internal;
+  internal.InPieces = internal.AsksForPieces(inputs);
+  if (!internal.InPieces)
+  {
+    relief::hosts::HostInputs::AskForAll(inputs);
+    return 1;
+  }
+  int piece[6];
+  FindNumberedPiece(
+    inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()),
+    outputs->GetInformationObject(0), piece);
+  internal.Inputs.AskForPiece(inputs, this->HeightRange, piece);
   return 1;
 }
 
@@ -369,6 +399,62 @@ std::string vtkImageReliefShading::Internals::Prepare(vtkInformationVector** inp
 }
 
 //------------------------------------------------------------------------------
+// Whether a piece of the picture can be made of a piece of the heights: nothing that is asked for
+// depends on all of them but by their range.
+bool vtkImageReliefShading::Internals::AsksForPieces(vtkInformationVector** inputs) const
+{
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  const bool exposed = this->Self->OutputScalarType == VTK_UNSIGNED_CHAR &&
+    this->Inputs.GetScene()->GetAutomaticExposure();
+  if (!this->Self->UseHeightRange || exposed || !relief::CanReserveMemory() || !info ||
+    !info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    return false;
+  }
+  const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  return !IsEmpty(whole) && whole[4] == whole[5];
+}
+
+//------------------------------------------------------------------------------
+// The same as Prepare(), of what the output's piece depends on. Returns an empty text, or what is
+// wrong.
+std::string vtkImageReliefShading::Internals::PreparePiece(
+  vtkInformationVector** inputs, vtkInformation* outInfo)
+{
+  int piece[6];
+  FindPiece(
+    inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()),
+    outInfo, piece);
+  const auto arrays = [&](int port) { return this->Self->GetInputArrayToProcess(port, inputs); };
+  const relief::hosts::HostInputs::Reading reading = this->GetReading();
+  std::string wrong =
+    this->Inputs.UpdatePiece(inputs, arrays, reading, this->Self->HeightRange, piece);
+  if (wrong.empty())
+  {
+    this->WarnOfHeights();
+    wrong = this->Scene.Update(this->Inputs);
+  }
+  int first[6];
+  inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), first);
+  bool further = false;
+  int extent[6];
+  while (wrong.empty() && this->Inputs.MissesOfPiece(this->Scene.Get(), piece, extent))
+  {
+    if (this->IsAborted())
+    {
+      return std::string();
+    }
+    further = true;
+    wrong = this->Inputs.UpdatePieceFurther(this->Self, extent, inputs, arrays, reading);
+  }
+  if (further && wrong.empty())
+  {
+    wrong = this->Inputs.RestorePiece(this->Self, first, inputs, arrays, reading);
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
 void vtkImageReliefShading::Internals::WarnOfHeights()
 {
   const relief::HeightField& field = this->Inputs.GetField();
@@ -388,18 +474,10 @@ void vtkImageReliefShading::Internals::WarnOfHeights()
 //------------------------------------------------------------------------------
 // The picture, in the last one's room if it may, and the layers, to be filled. Returns an empty
 // text, or what is wrong.
-std::string vtkImageReliefShading::Internals::MakeOutput(vtkImageData* input,
+std::string vtkImageReliefShading::Internals::MakeOutput(vtkImageData* input, int outExtent[6],
   vtkInformation* outInfo, vtkSmartPointer<vtkDataArray>& last, relief::Target& target)
 {
-  // A distributed input holds its piece only, whatever has been asked for.
   const int* extent = input->GetExtent();
-  int outExtent[6];
-  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), outExtent);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    outExtent[2 * axis] = std::max(outExtent[2 * axis], extent[2 * axis]);
-    outExtent[2 * axis + 1] = std::min(outExtent[2 * axis + 1], extent[2 * axis + 1]);
-  }
   vtkImageData* output = vtkImageData::GetData(outInfo);
   output->CopyStructure(input);
   output->SetExtent(outExtent);
@@ -410,26 +488,27 @@ std::string vtkImageReliefShading::Internals::MakeOutput(vtkImageData* input,
     vtkSmartPointer<vtkDataArray> picture;
     if (self->OutputScalarType == VTK_FLOAT)
     {
-      const auto colors = MakePicture<vtkFloatArray>(last, samples, 4);
+      const auto colors = relief::hosts::MakePicture<vtkFloatArray>(last, samples, 4);
       target.rgba = colors->GetPointer(0);
       picture = colors;
     }
     else
     {
-      const auto codes = MakePicture<vtkUnsignedCharArray>(last, samples, 4);
+      const auto codes = relief::hosts::MakePicture<vtkUnsignedCharArray>(last, samples, 4);
       target.rgba8 = codes->GetPointer(0);
       picture = codes;
     }
     picture->SetName("Shading");
     output->GetPointData()->SetScalars(picture);
-    target.illumination = AddLayer(output, self->GenerateIllumination, "Illumination", 1);
-    target.thickness = AddLayer(output, self->GenerateThickness, "Thickness", 1);
-    target.shadow = AddLayer(output, self->GenerateShadow, "Shadow", 1);
-    target.normals = AddLayer(output, self->GenerateNormals, "Normals", 3);
-    target.base = AddLayer(output, self->GenerateBase, "Base", 3);
-    target.diffuse = AddLayer(output, self->GenerateDiffuse, "Diffuse", 3);
-    target.scatter = AddLayer(output, self->GenerateScatter, "Scatter", 3);
-    target.specular = AddLayer(output, self->GenerateSpecular, "Specular", 3);
+    target.illumination =
+      relief::hosts::AddLayer(output, self->GenerateIllumination, "Illumination", 1);
+    target.thickness = relief::hosts::AddLayer(output, self->GenerateThickness, "Thickness", 1);
+    target.shadow = relief::hosts::AddLayer(output, self->GenerateShadow, "Shadow", 1);
+    target.normals = relief::hosts::AddLayer(output, self->GenerateNormals, "Normals", 3);
+    target.base = relief::hosts::AddLayer(output, self->GenerateBase, "Base", 3);
+    target.diffuse = relief::hosts::AddLayer(output, self->GenerateDiffuse, "Diffuse", 3);
+    target.scatter = relief::hosts::AddLayer(output, self->GenerateScatter, "Scatter", 3);
+    target.specular = relief::hosts::AddLayer(output, self->GenerateSpecular, "Specular", 3);
   }
   catch (const std::bad_alloc&)
   {
@@ -629,17 +708,29 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
     return 1;
   };
 
-  // What is shaded, and where to.
+  // What is shaded, and where to. Of a piece the image is the whole, without heights; a distributed
+  // input holds its piece only, whatever has been asked for.
   relief::Target target;
-  std::string wrong = internal.Prepare(inputs);
+  if (internal.InPieces && IsEmpty(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT())))
+  {
+    return 1;
+  }
+  // Heights that are read as they are needed do without extents.
+  const bool pieces = internal.InPieces &&
+    !relief::hosts::TiledHeights::SafeDownCast(this->GetInputArrayToProcess(0, inputs));
+  std::string wrong = pieces ? internal.PreparePiece(inputs, outInfo) : internal.Prepare(inputs);
   if (wrong.empty() && this->GenerateShadow && internal.Scene.Get().sun.empty())
   {
     wrong =
       "the layer Shadow is that of a sun, and no sun is on; add a sun, or leave the layer out";
   }
-  wrong = wrong.empty()
-    ? internal.MakeOutput(vtkImageData::GetData(inputs[0]), outInfo, last, target)
-    : wrong;
+  if (wrong.empty())
+  {
+    vtkImageData* image = internal.Inputs.GetImage(inputs);
+    int piece[6];
+    FindPiece(image->GetExtent(), outInfo, piece);
+    wrong = internal.MakeOutput(image, piece, outInfo, last, target);
+  }
   if (!wrong.empty())
   {
     return fail(wrong);
@@ -709,6 +800,8 @@ void vtkImageReliefShading::PrintSelf(ostream& os, vtkIndent indent)
   auto printSwitch = [&](const char* name, bool on)
   { os << indent << name << ": " << (on ? "On" : "Off") << "\n"; };
   this->Internal->Inputs.Print(os, indent, this->Internal->GetReading());
+  os << indent << "HeightRange: " << this->HeightRange[0] << " to " << this->HeightRange[1] << "\n";
+  printSwitch("UseHeightRange", this->UseHeightRange);
   os << indent
      << "OutputScalarType: " << (this->OutputScalarType == VTK_FLOAT ? "Float" : "UnsignedChar")
      << "\n";

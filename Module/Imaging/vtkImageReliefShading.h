@@ -22,8 +22,9 @@
  * the names of their switches; they are NaN where there is no data.
  *
  * The light that reaches a sample from any direction depends on the whole field, so the whole input
- * is asked for whatever part of the output is. Results do not depend on threads or pieces. Threads
- * are vtkSMPTools's. Cost: O(samples x lights x length of the shadows).
+ * is asked for whatever part of the output is, unless HeightRange tells how high it reaches: then a
+ * part of the output asks for the heights that its light can touch. Results do not depend on
+ * threads or pieces. Threads are vtkSMPTools's. Cost: O(samples x lights x length of the shadows).
  *
  * Bad input (no scalars, a wrong number of components, several slices, no extent, a mask of another
  * extent, a texture of a type that is not listed, a light that is not finite) reports one error and
@@ -127,6 +128,31 @@ public:
   vtkSetMacro(UseNoDataValue, bool);
   vtkGetMacro(UseNoDataValue, bool);
   vtkBooleanMacro(UseNoDataValue, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The least and the greatest of all heights, in the input's own values, before HeightScale and
+   * without those that are no data; and whether they are known. Then a part of the output asks for
+   * a part of the heights and the mask, as vtkImageDataStreamer and pieces over MPI want it: the
+   * part itself and what its light can touch, R / tan(a) samples toward a sun at the altitude a
+   * over a relief of R samples, and as much as lies between it and a lamp. Where rays leave the
+   * data, at holes and borders, further extents are asked for while the filter runs, as far as the
+   * border if need be. A part equals that of the whole bit for bit, and the whole that without a
+   * range, if the range is exact; a wider one asks for more, and may change illuminations within
+   * the tolerance. A range that heights lie outside of is an error.
+   *
+   * Heights that are read as they are needed (vtkReliefRasterReader::ReadAsNeededOn()) want no
+   * range. Textures are asked for whole, and all is where the whole must be known: for 8-bit output
+   * with automatic exposure, and on systems that cannot reserve memory (Windows). Setting the range
+   * turns UseHeightRange on. Default: 0 to 0, off.
+   */
+  void SetHeightRange(double least, double greatest);
+  void SetHeightRange(const double range[2]) { this->SetHeightRange(range[0], range[1]); }
+  vtkGetVector2Macro(HeightRange, double);
+  vtkSetMacro(UseHeightRange, bool);
+  vtkGetMacro(UseHeightRange, bool);
+  vtkBooleanMacro(UseHeightRange, bool);
   ///@}
 
   ///@{
@@ -270,6 +296,8 @@ protected:
 
   double NoDataValue = 0.0;
   bool UseNoDataValue = false;
+  double HeightRange[2] = { 0.0, 0.0 };
+  bool UseHeightRange = false;
   bool StretchTextures = false;
   int OutputScalarType = VTK_FLOAT;
   bool GenerateIllumination = false;

@@ -4,6 +4,7 @@
 
 #include "MinMaxPyramid.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace relief
@@ -71,10 +72,12 @@ T reliefTop(const Field<T>& field)
   return field.top;
 }
 
+// Blocks larger than these tell of places far away: rays would differ, by rounding, where only a
+// part of a raster is at hand.
 template <class T>
 int reliefLevels(const Field<T>& field)
 {
-  return field.bounds ? field.bounds->GetNumberOfLevels() : 0;
+  return field.bounds ? std::min(field.bounds->GetNumberOfLevels(), MinMaxPyramid::RegionLevel) : 0;
 }
 
 template <class T, class R>

@@ -19,6 +19,32 @@ void RasterBounds::SetSize(int columns, int rows)
     static_cast<std::size_t>(this->GetRegionColumns()) * this->GetRegionRows();
   this->Ranges.assign(regions, Range());
   this->Bounds.assign(regions, MinMaxPyramid::Bounds());
+  this->Assumed.clear();
+}
+
+void RasterBounds::Assume(int columns, int rows, const Range& whole)
+{
+  this->SetSize(columns, rows);
+  std::fill(this->Ranges.begin(), this->Ranges.end(), whole);
+  std::fill(this->Bounds.begin(), this->Bounds.end(),
+    MinMaxPyramid::Bounds{ whole.lo, whole.hi, std::numeric_limits<float>::infinity() });
+  this->Assumed.assign(this->Ranges.size(), 1);
+}
+
+void RasterBounds::AssumeHoles()
+{
+  for (std::size_t at = 0; at < this->Assumed.size(); ++at)
+  {
+    this->Bounds[at] = this->Assumed[at] ? MinMaxPyramid::GetMixed() : this->Bounds[at];
+  }
+}
+
+void RasterBounds::Learn(int i, int j, const Range& range, const MinMaxPyramid::Bounds& bounds)
+{
+  const std::size_t at = this->At(i, j);
+  this->Ranges[at] = range;
+  this->Bounds[at] = bounds;
+  this->Assumed[at] = 0;
 }
 
 void RasterBounds::Begin(int columns, int rows)

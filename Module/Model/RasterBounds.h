@@ -36,6 +36,19 @@ public:
   /// needed afterwards. Rows behind the last one of the raster are not taken.
   void AddRows(const float* heights, std::ptrdiff_t pitch, int count);
 
+  ///@{
+  /// Instead of a pass, where nothing is known but the least and the greatest height of all: every
+  /// region counts as one of these bounds until it is learned of, and its cells as whole, or as
+  /// holes if they may be.
+  void Assume(int columns, int rows, const Range& whole);
+  void AssumeHoles();
+  void Learn(int i, int j, const Range& range, const MinMaxPyramid::Bounds& bounds);
+  bool IsAssumed(int i, int j) const
+  {
+    return !this->Assumed.empty() && this->Assumed[this->At(i, j)] != 0;
+  }
+  ///@}
+
   /// Whether all rows have been added.
   bool IsComplete() const { return this->Added == this->Rows; }
 
@@ -108,7 +121,8 @@ private:
   std::uint64_t WithData = 0;
   std::vector<Range> Ranges;
   std::vector<MinMaxPyramid::Bounds> Bounds;
-  std::vector<float> Band; // the rows of a row of regions, and the one that closes it
+  std::vector<unsigned char> Assumed; // regions of which nothing is known yet; none after a pass
+  std::vector<float> Band;            // the rows of a row of regions, and the one that closes it
   int InBand = 0;
 };
 

@@ -165,7 +165,7 @@ void TileRegions::AddHoles(const Rectangle& r, Found& found) const
   {
     for (int i = about.i0; i <= about.i1; ++i)
     {
-      if (this->Bounds.HasHoles(i, j))
+      if (this->Bounds.HasHoles(i, j) || this->Bounds.IsAssumed(i, j))
       {
         // With the samples that close its cells.
         found.read.Add(i - 1, i + 1, j - 1, j + 1);

@@ -23,17 +23,27 @@ std::function<bool(int, int)> ReadMaskOf(const T* mask, int columns)
 }
 
 //------------------------------------------------------------------------------
+std::string CheckPart(const HeightInputs& inputs)
+{
+  if (!inputs.image)
+  {
+    return "there are no heights";
+  }
+  const std::string wrong = CheckInput(inputs.image, inputs.scalars, "height");
+  return wrong.empty() && inputs.mask ? CheckInput(inputs.mask, inputs.maskScalars, "mask") : wrong;
+}
+
+//------------------------------------------------------------------------------
 std::string CheckHeights(const HeightInputs& inputs)
 {
-  std::string wrong = CheckInput(inputs.image, inputs.scalars, "height");
+  std::string wrong = CheckPart(inputs);
   if (!wrong.empty() || !inputs.mask)
   {
     return wrong;
   }
-  wrong = CheckInput(inputs.mask, inputs.maskScalars, "mask");
   const int* expected = inputs.image->GetExtent();
   const int* given = inputs.mask->GetExtent();
-  if (wrong.empty() && !std::equal(expected, expected + 6, given))
+  if (!std::equal(expected, expected + 6, given))
   {
     std::ostringstream message;
     message << "the mask's extent is (" << given[0] << ", " << given[1] << ", " << given[2] << ", "

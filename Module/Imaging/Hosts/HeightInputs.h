@@ -35,6 +35,9 @@ struct HeightInputs
 /// An empty text, or what is wrong with the heights or their mask.
 VTKRELIEFSHADING_EXPORT std::string CheckHeights(const HeightInputs& inputs);
 
+/// The same of inputs that hold parts of the whole, maybe different ones.
+VTKRELIEFSHADING_EXPORT std::string CheckPart(const HeightInputs& inputs);
+
 /// Tells whether a sample has data by the mask; none where there is no mask.
 VTKRELIEFSHADING_EXPORT std::function<bool(int, int)> ReadMask(const HeightInputs& inputs);
 

@@ -4,11 +4,14 @@
 #include "SceneConversion.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefSetters.h"
 #include "vtkReliefStatistics.h"
@@ -93,6 +96,24 @@ void HostInputs::AskForAll(vtkInformationVector** inputs)
     {
       info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
         info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void HostInputs::AskForPart(vtkInformationVector** inputs, const int extent[6])
+{
+  AskForAll(inputs);
+  for (int port : { HeightsPort, MaskPort })
+  {
+    vtkInformation* info = inputs[port]->GetInformationObject(0);
+    if (info)
+    {
+      // As it is: its source must not take the output's piece of it.
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
   }
 }
@@ -195,15 +216,24 @@ std::string HostInputs::Update(vtkInformationVector** inputs,
            "memory are expected";
   }
   source.scale = this->Scene->GetHeightScale();
-  // Where the image lies does not matter for that.
-  source.padded = sweeps &&
-    SceneShading::WantsPadding(
-      ConvertMaterial(this->Scene, ImageFrame(), 0.0), heights.image->GetDimensions()[0]);
+  source.padded = sweeps && this->WantsPadding(heights.image->GetDimensions()[0]);
+  this->OfPiece = false;
+  this->Piece.Release();
   const std::string wrong = this->Heights.Update(source);
-  if (!wrong.empty())
-  {
-    return wrong;
-  }
+  return wrong.empty() ? this->Place(heights, inputs, arrays, reading) : wrong;
+}
+
+//------------------------------------------------------------------------------
+bool HostInputs::WantsPadding(int columns) const
+{
+  // Where the image lies does not matter for that.
+  return SceneShading::WantsPadding(ConvertMaterial(this->Scene, ImageFrame(), 0.0), columns);
+}
+
+//------------------------------------------------------------------------------
+std::string HostInputs::Place(const TextureInput& heights, vtkInformationVector** inputs,
+  const std::function<vtkDataArray*(int)>& arrays, const Reading& reading)
+{
   return this->Textures.Place(heights,
     { At(inputs, DiffusePort, arrays), At(inputs, BasePort, arrays),
       At(inputs, SpecularPort, arrays) },
@@ -211,9 +241,164 @@ std::string HostInputs::Update(vtkInformationVector** inputs,
 }
 
 //------------------------------------------------------------------------------
+void HostInputs::AskForPiece(
+  vtkInformationVector** inputs, const double range[2], const int piece[6])
+{
+  // What is wrong with the scene is told once there are heights, of which a piece will do.
+  AskForPart(inputs, piece);
+  if (piece[0] > piece[1] || piece[2] > piece[3])
+  {
+    return;
+  }
+  vtkInformation* info = inputs[HeightsPort]->GetInformationObject(0);
+  vtkNew<vtkImageData> image;
+  image->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  image->SetSpacing(info->Has(vtkDataObject::SPACING()) ? info->Get(vtkDataObject::SPACING())
+                                                        : image->GetSpacing());
+  image->SetOrigin(
+    info->Has(vtkDataObject::ORIGIN()) ? info->Get(vtkDataObject::ORIGIN()) : image->GetOrigin());
+  if (info->Has(vtkDataObject::DIRECTION()))
+  {
+    image->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+  }
+  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
+    info, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  const bool floats = !scalars || !scalars->Has(vtkDataObject::FIELD_ARRAY_TYPE()) ||
+    scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()) == VTK_FLOAT;
+  const WholeHeights whole = { image, { range[0], range[1] }, this->Scene->GetHeightScale(), floats,
+    this->WantsPadding(image->GetDimensions()[0]) };
+  std::string wrong = this->Piece.Begin(whole);
+  if (wrong.empty())
+  {
+    const PartialField& empty = this->Piece.GetEmpty();
+    relief::Scene scene = ConvertMaterial(this->Scene, empty.Frame, empty.GetField().GetDatum());
+    wrong =
+      ConvertLights(this->Scene, nullptr, this->Environment, empty.Frame, empty.GetField(), scene);
+    if (wrong.empty())
+    {
+      int extent[6];
+      this->Piece.Ask(scene, piece, extent);
+      AskForPart(inputs, extent);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string HostInputs::UpdatePiece(vtkInformationVector** inputs,
+  const std::function<vtkDataArray*(int)>& arrays, const Reading& reading, const double range[2],
+  const int piece[6])
+{
+  TextureInput heights = At(inputs, HeightsPort, arrays);
+  const HeightInputs source = ReadHeights(inputs, arrays, reading);
+  std::string wrong = CheckPart(source);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(heights.image);
+  image->SetExtent(heights.whole);
+  const WholeHeights whole = { image, { range[0], range[1] }, this->Scene->GetHeightScale(),
+    heights.scalars->GetDataType() == VTK_FLOAT, this->WantsPadding(image->GetDimensions()[0]) };
+  this->OfPiece = true;
+  this->Heights.Release();
+  wrong = this->Piece.FillFirst(whole, source);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  heights.frame = this->Piece.GetHeld().Image;
+  std::copy_n(piece, 6, heights.shown);
+  return this->Place(heights, inputs, arrays, reading);
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* HostInputs::GetImage(vtkInformationVector** inputs) const
+{
+  return this->OfPiece ? this->Piece.GetHeld().Image.Get() : vtkImageData::GetData(inputs[0]);
+}
+
+//------------------------------------------------------------------------------
+bool HostInputs::MissesOfPiece(const relief::Scene& scene, const int piece[6], int extent[6])
+{
+  return this->Piece.NeedsMore(scene, piece, extent);
+}
+
+//------------------------------------------------------------------------------
+// Has heights and mask bring an extent. Returns an empty text, or what is wrong.
+std::string HostInputs::Bring(vtkAlgorithm* host, const int extent[6])
+{
+  auto connectionOf = [&](int port) -> vtkAlgorithmOutput*
+  {
+    const bool connected = host->GetNumberOfInputConnections(port) > 0;
+    return connected ? host->GetInputConnection(port, 0) : nullptr;
+  };
+  // Both ports of one reader at once.
+  vtkAlgorithm* done = nullptr;
+  for (int port : { HeightsPort, MaskPort })
+  {
+    vtkAlgorithm* producer = connectionOf(port) ? connectionOf(port)->GetProducer() : nullptr;
+    if (!producer || producer == done)
+    {
+      continue;
+    }
+    vtkNew<vtkInformationVector> requests;
+    requests->SetNumberOfInformationObjects(producer->GetNumberOfOutputPorts());
+    for (int other : { HeightsPort, MaskPort })
+    {
+      if (connectionOf(other) && connectionOf(other)->GetProducer() == producer)
+      {
+        requests->GetInformationObject(connectionOf(other)->GetIndex())
+          ->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+      }
+    }
+    if (!producer->Update(connectionOf(port)->GetIndex(), requests))
+    {
+      return "the input could not bring further heights";
+    }
+    done = producer;
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string HostInputs::UpdatePieceFurther(vtkAlgorithm* host, const int extent[6],
+  vtkInformationVector** inputs, const std::function<vtkDataArray*(int)>& arrays,
+  const Reading& reading)
+{
+  std::string wrong = Bring(host, extent);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  const HeightInputs source = ReadHeights(inputs, arrays, reading);
+  wrong = CheckPart(source);
+  return wrong.empty() ? this->Piece.FillMore(source) : wrong;
+}
+
+//------------------------------------------------------------------------------
+std::string HostInputs::RestorePiece(vtkAlgorithm* host, const int extent[6],
+  vtkInformationVector** inputs, const std::function<vtkDataArray*(int)>& arrays,
+  const Reading& reading)
+{
+  std::string wrong = Bring(host, extent);
+  if (wrong.empty())
+  {
+    const HeightInputs source = ReadHeights(inputs, arrays, reading);
+    wrong = CheckPart(source);
+    if (wrong.empty())
+    {
+      this->Piece.Remember(source);
+    }
+  }
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
 void HostInputs::Release()
 {
   this->Heights.Release();
+  this->Piece.Release();
   this->Textures.Release();
   this->Environment.Release();
 }

@@ -7,6 +7,7 @@
 /// what is made of them and kept. Not installed.
 
 #include "EnvironmentLights.h"
+#include "PieceHeights.h"
 #include "PlacedTextures.h"
 #include "PreparedHeights.h"
 
@@ -20,6 +21,7 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkImageData;
 class vtkInformation;
 class vtkInformationVector;
 class vtkObject;
@@ -62,6 +64,8 @@ public:
   static void NameArrays(vtkAlgorithm* host);
   static int FillPort(int port, vtkInformation* info);
   static void AskForAll(vtkInformationVector** inputs);
+  /// Of the heights and the mask it may be a part.
+  static void AskForPart(vtkInformationVector** inputs, const int extent[6]);
   ///@}
 
   ///@{
@@ -90,9 +94,34 @@ public:
     const Reading& reading, bool sweeps);
 
   ///@{
+  /// The same of a piece of the picture, by the range of all heights. AskForPiece() asks the ports
+  /// for what it depends on; once that has come, UpdatePiece() takes it and prepares all else.
+  /// While MissesOfPiece() tells of a further extent, UpdatePieceFurther() has it brought and takes
+  /// it. The updates return an empty text, or what is wrong.
+  void AskForPiece(vtkInformationVector** inputs, const double range[2], const int piece[6]);
+  std::string UpdatePiece(vtkInformationVector** inputs,
+    const std::function<vtkDataArray*(int)>& arrays, const Reading& reading, const double range[2],
+    const int piece[6]);
+  bool MissesOfPiece(const Scene& scene, const int piece[6], int extent[6]);
+  std::string UpdatePieceFurther(vtkAlgorithm* host, const int extent[6],
+    vtkInformationVector** inputs, const std::function<vtkDataArray*(int)>& arrays,
+    const Reading& reading);
+  std::string RestorePiece(vtkAlgorithm* host, const int extent[6], vtkInformationVector** inputs,
+    const std::function<vtkDataArray*(int)>& arrays, const Reading& reading);
+  ///@}
+
+  ///@{
   /// What the last update prepared.
-  const HeightField& GetField() const { return this->Heights.GetField(); }
-  const ImageFrame& GetFrame() const { return this->Heights.GetFrame(); }
+  const HeightField& GetField() const
+  {
+    return this->OfPiece ? this->Piece.GetHeld().GetField() : this->Heights.GetField();
+  }
+  const ImageFrame& GetFrame() const
+  {
+    return this->OfPiece ? this->Piece.GetHeld().Frame : this->Heights.GetFrame();
+  }
+  /// The heights' image; of a piece as a whole, without heights.
+  vtkImageData* GetImage(vtkInformationVector** inputs) const;
   TiledHeights* GetTiledHeights() const { return this->Heights.GetTiled(); }
   PlacedTextures& GetTextures() { return this->Textures; }
   EnvironmentLights& GetEnvironmentLights() { return this->Environment; }
@@ -102,10 +131,17 @@ public:
   void Release();
 
 private:
+  static std::string Bring(vtkAlgorithm* host, const int extent[6]);
+  std::string Place(const TextureInput& heights, vtkInformationVector** inputs,
+    const std::function<vtkDataArray*(int)>& arrays, const Reading& reading);
+  bool WantsPadding(int columns) const;
+
   vtkObject* Host;
   vtkSmartPointer<vtkReliefScene> Scene;
   vtkSmartPointer<vtkScalarsToColors> LookupTable;
   PreparedHeights Heights;
+  PieceHeights Piece;
+  bool OfPiece = false; // whether these were prepared last
   PlacedTextures Textures;
   EnvironmentLights Environment;
 };

@@ -98,7 +98,7 @@ void Stretch(const TextureInput& heights, const TextureInput& texture, ColorText
   { return glm::ivec2(whole[1] - whole[0] + 1, whole[3] - whole[2] + 1); };
   auto first = [](const TextureInput& input)
   {
-    const int* extent = input.image->GetExtent();
+    const int* extent = input.GetFrame()->GetExtent();
     return glm::ivec2(extent[0] - input.whole[0], extent[2] - input.whole[2]);
   };
   result.Stretch(size(heights.whole), first(heights), size(texture.whole), first(texture));
@@ -112,14 +112,16 @@ PlacedTextures::InputVersion::InputVersion(const TextureInput& input)
   , scalars(input.scalars)
   , scalarsTime(input.scalars ? input.scalars->GetMTime() : 0)
 {
+  this->frame = input.frame;
   std::copy_n(input.whole, 6, this->whole.begin());
+  std::copy_n(input.shown, 6, this->shown.begin());
 }
 
 //------------------------------------------------------------------------------
 bool PlacedTextures::InputVersion::operator==(const InputVersion& other) const
 {
   auto parts = [](const InputVersion& v)
-  { return std::tie(v.image, v.imageTime, v.scalars, v.scalarsTime, v.whole); };
+  { return std::tie(v.image, v.imageTime, v.scalars, v.scalarsTime, v.whole, v.frame, v.shown); };
   return parts(*this) == parts(other);
 }
 
@@ -172,19 +174,19 @@ std::string PlacedTextures::Place(const TextureInput& heights,
     }
     else
     {
-      PlaceInWorld(heights.image, input.image, texture);
+      PlaceInWorld(heights.GetFrame(), input.image, texture);
     }
-    const int* size = heights.image->GetDimensions();
+    const int* size = heights.GetFrame()->GetDimensions();
     if (texture.Overlaps(-0.5, size[0] - 0.5, -0.5, size[1] - 0.5))
     {
       this->Placed[k].push_back(texture);
     }
-    else if (std::equal(heights.whole, heights.whole + 6, heights.image->GetExtent()) &&
+    else if (std::equal(heights.whole, heights.whole + 6, heights.GetFrame()->GetExtent()) &&
       std::equal(input.whole, input.whole + 6, input.image->GetExtent()))
     {
       vtkWarningWithObjectMacro(reporter,
         "The " << kind.what << " lies nowhere on the heights: its bounds in x and y are "
-               << Bounds(input.image) << ", theirs " << Bounds(heights.image)
+               << Bounds(input.image) << ", theirs " << Bounds(heights.GetFrame())
                << ". The constant colour shows.");
     }
   }
@@ -253,42 +255,58 @@ void PlacedTextures::Release()
 }
 
 //------------------------------------------------------------------------------
-// Colours the heights by the table, unless that has been done. Returns an empty text, or what is
-// wrong.
-std::string PlacedTextures::MapHeights(ColorTexture& tint)
+// Colours heights that follow one another, on one thread, for tables promise no more. In portions,
+// for which the table needs memory of its own.
+void PlacedTextures::MapRun(char* values, vtkIdType count, vtkIdType place)
 {
   vtkDataArray* scalars = this->Heights.scalars;
-  tint.columns = this->Heights.image->GetDimensions()[0];
-  tint.rows = this->Heights.image->GetDimensions()[1];
-  if (auto* tiled = TiledHeights::SafeDownCast(scalars))
+  const vtkIdType most = 1 << 20;
+  for (vtkIdType begin = 0; begin < count; begin += most)
+  {
+    const vtkIdType some = std::min(most, count - begin);
+    auto portion =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalars->GetDataType()));
+    portion->SetVoidArray(values + begin * scalars->GetDataTypeSize(), some, 1);
+    auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+      this->Table->MapScalars(portion, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
+    std::copy_n(colors->GetPointer(0), 4 * some, this->Colors->GetPointer(4 * (place + begin)));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Colours the heights that are shown by the table, unless that has been done. Returns an empty
+// text, or what is wrong.
+std::string PlacedTextures::MapHeights(ColorTexture& tint)
+{
+  const int* given = this->Heights.image->GetExtent();
+  const int* shown = this->Heights.frame ? this->Heights.shown : given;
+  tint.columns = shown[1] - shown[0] + 1;
+  tint.rows = shown[3] - shown[2] + 1;
+  const vtkIdType samples = static_cast<vtkIdType>(tint.columns) * tint.rows;
+  if (auto* tiled = TiledHeights::SafeDownCast(this->Heights.scalars))
   {
     tint.texels = tiled->UseTable(this->Table);
     return std::string();
   }
-  const auto madeFrom = std::make_tuple(this->Table->GetMTime(),
-    std::max(this->Heights.image->GetMTime(), scalars->GetMTime()), static_cast<void*>(this->Table),
-    static_cast<void*>(scalars));
-  const vtkIdType samples = scalars->GetNumberOfTuples();
-  if (!this->Colors || this->MadeFrom != madeFrom)
+  const InputVersion from(this->Heights);
+  if (!this->Colors || this->MadeFrom != from || this->MadeBy != this->Table->GetMTime())
   {
     try
     {
       this->Colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
       this->Colors->SetNumberOfComponents(4);
       this->Colors->SetNumberOfTuples(samples);
-      // On one thread, for tables promise no more. In portions, for which the table needs memory of
-      // its own.
-      char* values = static_cast<char*>(scalars->GetVoidPointer(0));
-      const vtkIdType most = 1 << 20;
-      for (vtkIdType begin = 0; begin < samples; begin += most)
+      const vtkIdType pitch = given[1] - given[0] + 1;
+      const vtkIdType first = (shown[2] - given[2]) * pitch + shown[0] - given[0];
+      vtkDataArray* scalars = this->Heights.scalars;
+      const vtkIdType size = scalars->GetDataTypeSize();
+      char* values = static_cast<char*>(scalars->GetVoidPointer(0)) + first * size;
+      // Whole rows follow one another.
+      const int runs = tint.columns == pitch ? 1 : tint.rows;
+      const vtkIdType run = samples / runs;
+      for (int k = 0; k < runs; ++k)
       {
-        const vtkIdType count = std::min(most, samples - begin);
-        auto portion = vtkSmartPointer<vtkDataArray>::Take(
-          vtkDataArray::CreateDataArray(scalars->GetDataType()));
-        portion->SetVoidArray(values + begin * scalars->GetDataTypeSize(), count, 1);
-        auto colors = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-          this->Table->MapScalars(portion, VTK_COLOR_MODE_MAP_SCALARS, 0, VTK_RGBA));
-        std::copy_n(colors->GetPointer(0), 4 * count, this->Colors->GetPointer(4 * begin));
+        this->MapRun(values + k * pitch * size, run, k * run);
       }
     }
     catch (const std::bad_alloc&)
@@ -296,9 +314,12 @@ std::string PlacedTextures::MapHeights(ColorTexture& tint)
       this->Release();
       return "there is not enough memory for the colours of the lookup table";
     }
-    this->MadeFrom = madeFrom;
+    this->MadeFrom = from;
+    this->MadeBy = this->Table->GetMTime();
   }
+  const int* whole = this->Heights.GetFrame()->GetExtent();
   tint.texels = this->Colors->GetPointer(0);
+  tint.origin = glm::dvec2(whole[0] - shown[0], whole[2] - shown[2]);
   return std::string();
 }
 }

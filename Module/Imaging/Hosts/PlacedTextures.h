@@ -31,6 +31,12 @@ struct TextureInput
   vtkImageData* image = nullptr; ///< null where the port has none
   vtkDataArray* scalars = nullptr;
   int whole[6] = { 0, 0, 0, 0, 0, 0 }; ///< the whole extent, of which a distributed image is a part
+  /// Of heights that come in parts, the image as a whole, and what is shown of it.
+  vtkImageData* frame = nullptr;
+  int shown[6] = { 0, 0, 0, 0, 0, 0 };
+
+  /// Where the image lies.
+  vtkImageData* GetFrame() const { return this->frame ? this->frame : this->image; }
 };
 
 class VTKRELIEFSHADING_EXPORT PlacedTextures
@@ -66,6 +72,8 @@ private:
     const void* scalars = nullptr;
     vtkMTimeType scalarsTime = 0;
     std::array<int, 6> whole = {};
+    const void* frame = nullptr;
+    std::array<int, 6> shown = {};
     InputVersion() = default;
     explicit InputVersion(const TextureInput& input);
     bool operator==(const InputVersion& other) const;
@@ -82,6 +90,7 @@ private:
   };
 
   std::string MapHeights(ColorTexture& tint);
+  void MapRun(char* values, vtkIdType count, vtkIdType place);
 
   std::uint64_t Version = 0;
   Origin PlacedFrom;                               // of no heights where nothing is placed
@@ -90,7 +99,8 @@ private:
   TextureInput Heights;
   vtkScalarsToColors* Table = nullptr;
   vtkSmartPointer<vtkUnsignedCharArray> Colors;
-  std::tuple<vtkMTimeType, vtkMTimeType, void*, void*> MadeFrom;
+  InputVersion MadeFrom;
+  vtkMTimeType MadeBy = 0; // the table's time
   // The inputs whose texels were counted.
   std::array<InputVersion, 3> Counted;
 };
