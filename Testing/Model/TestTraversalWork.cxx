@@ -227,7 +227,7 @@ TEST(RayWork, OfRaysWithAndWithoutBounds)
   Prepare(PlainWithTower(), field);
   const Light sun = Sun(300.0, 5.0);
   Field<float> plain = field.GetField();
-  ExpectWork("ray over a plain", CountRows(TraceRow<float, float>, plain, sun, 0.0), 18.408);
+  ExpectWork("ray over a plain", CountRows(TraceRow<float, float>, plain, sun, 0.0), 19.682);
   plain.bounds = nullptr;
   ExpectWork("the same cell by cell", CountRows(TraceRow<float, float>, plain, sun, 0.0), 186.105);
 }
