@@ -32,6 +32,8 @@ const pageFiles = [
   "files.js",
   "files.worker.js",
   "picture.js",
+  "view.js",
+  "gestures.js",
   "lights.js",
   "controls.js",
   "panel.js",

@@ -34,6 +34,15 @@ export class History {
     this.gesture = null;
   }
 
+  /** Takes back what the gesture that has not ended yet has changed. */
+  cancelGesture() {
+    if (this.gesture !== null) {
+      this.gesture = null;
+      this.state = this.past.pop();
+      this.onChange();
+    }
+  }
+
   move(from, to) {
     this.gesture = null;
     if (from.length > 0) {

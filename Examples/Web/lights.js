@@ -94,35 +94,36 @@ export function describe(light, field, scene) {
 }
 
 //--------------------------------------------------------------------------------------------------
-const near = 28; // pixels
-const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const reach = 28; // pixels about a dot where it is caught
 
 export class LightDots {
-  /**
-   * @param page   what has field, state and turning; change(state, gesture), endGesture()
-   */
+  /** @param page   what has field, state and view */
   constructor(frame, page) {
-    this.frame = frame;
     this.page = page;
     this.box = frame.querySelector("#dots");
     this.horizon = frame.querySelector("#horizon");
-    this.pointer = null;
-    const listeners = {
-      pointerdown: (event) => this.down(event),
-      pointermove: (event) => this.move(event),
-      pointerup: (event) => this.up(event),
-      pointercancel: (event) => this.up(event),
-      wheel: (event) => this.wheel(event),
-      keydown: (event) => this.key(event),
-      keyup: () => page.endGesture(),
-    };
-    for (const [name, listener] of Object.entries(listeners)) {
-      frame.addEventListener(name, listener, { passive: false });
-    }
+  }
+
+  // Those that are out of sight stay at the rim, to be caught.
+  placeOf(light) {
+    const { view, field } = this.page;
+    return view
+      .toPixels(placeOfLight(light, field))
+      .map((c, k) => Math.min(Math.max(c, 0), view.room[k]));
+  }
+
+  /** The number of the light whose dot is near a place in pixels, or null. */
+  near(at) {
+    const apart = this.page.state.scene.lights.map((light) => {
+      const [x, y] = this.placeOf(light);
+      return Math.hypot(x - at[0], y - at[1]);
+    });
+    const nearest = apart.indexOf(Math.min(...apart));
+    return apart[nearest] <= reach ? nearest : null;
   }
 
   show() {
-    const { state, field } = this.page;
+    const { state, field, view } = this.page;
     const { lights } = state.scene;
     while (this.box.children.length > lights.length) {
       this.box.lastChild.remove();
@@ -132,135 +133,17 @@ export class LightDots {
     }
     lights.forEach((light, k) => {
       const dot = this.box.children[k];
-      // Those that are outside stay at the rim, to be caught.
-      const [u, v] = placeOfLight(light, field).map((c) => Math.min(Math.max(c, 0), 1));
+      const [x, y] = this.placeOf(light);
       dot.className = `dot${k === state.selected ? " selected" : ""}${light.on === false ? " off" : ""}`;
-      dot.style.left = `${100 * u}%`;
-      dot.style.top = `${100 * v}%`;
+      dot.style.left = `${x}px`;
+      dot.style.top = `${y}px`;
       dot.style.background = colorToHex(light.color ?? [1, 1, 1]);
     });
-    const [w, h] = extentOf(field);
-    const share = Math.min(w, h);
     const circle = this.horizon.firstElementChild;
-    circle.setAttribute("cx", "50%");
-    circle.setAttribute("cy", "50%");
-    circle.setAttribute("r", `${((share / w) * this.frame.clientWidth) / 2 || 0}`);
+    const [x, y] = view.toPixels([0.5, 0.5]);
+    circle.setAttribute("cx", x);
+    circle.setAttribute("cy", y);
+    circle.setAttribute("r", (Math.min(...extentOf(field)) * view.scale) / 2);
     this.horizon.classList.toggle("sun", lights[state.selected].kind === "sun");
-  }
-
-  placeOf(event) {
-    const { left, top, width, height } = this.frame.getBoundingClientRect();
-    return [(event.clientX - left) / width, (event.clientY - top) / height];
-  }
-
-  // The dot under the pointer, or else the selected one, which then comes to it.
-  down(event) {
-    if (event.button !== 0 || this.pointer !== null || !this.page.field) {
-      return;
-    }
-    event.preventDefault();
-    this.frame.focus({ preventScroll: true });
-    this.frame.setPointerCapture(event.pointerId);
-    this.pointer = event.pointerId;
-    this.frame.classList.add("dragging");
-    const { state, field } = this.page;
-    const place = this.placeOf(event);
-    this.begin = { place, environment: state.scene.environment };
-    if (this.page.turning) {
-      return;
-    }
-    const { clientWidth: w, clientHeight: h } = this.frame;
-    const apart = state.scene.lights.map((light) => {
-      const at = placeOfLight(light, field).map((c) => Math.min(Math.max(c, 0), 1));
-      return Math.hypot((at[0] - place[0]) * w, (at[1] - place[1]) * h);
-    });
-    const nearest = apart.indexOf(Math.min(...apart));
-    if (apart[nearest] <= near) {
-      const at = placeOfLight(state.scene.lights[nearest], field);
-      this.grip = [at[0] - place[0], at[1] - place[1]];
-      if (nearest !== state.selected) {
-        this.page.select(nearest);
-      }
-    } else {
-      this.grip = [0, 0];
-      this.drag(place);
-    }
-  }
-
-  move(event) {
-    if (event.pointerId !== this.pointer) {
-      return;
-    }
-    const place = this.placeOf(event);
-    if (this.page.turning) {
-      this.turn(place);
-    } else {
-      this.drag(place);
-    }
-  }
-
-  drag(place) {
-    const { state, field } = this.page;
-    const to = place.map((c, k) => c + this.grip[k]);
-    this.page.changeLight(moveLight(state.scene.lights[state.selected], to, field, state.scene), "drag");
-  }
-
-  turn(place) {
-    const environment = this.begin.environment;
-    if (environment) {
-      const [du, dv] = place.map((c, k) => c - this.begin.place[k]);
-      const rotationZ = ((((environment.rotationZ ?? 0) + 180 * du) % 360) + 360) % 360;
-      const tilt = Math.min(Math.max((environment.tilt ?? 0) + 180 * dv, -180), 180);
-      this.page.changeEnvironment({ rotationZ: round(rotationZ, 5), tilt: round(tilt, 5) }, "turn");
-    }
-  }
-
-  up(event) {
-    if (event.pointerId === this.pointer) {
-      this.pointer = null;
-      this.frame.classList.remove("dragging");
-      this.page.endGesture();
-    }
-  }
-
-  raise(steps, gesture) {
-    const { state, field } = this.page;
-    this.page.changeLight(raiseLight(state.scene.lights[state.selected], steps, field, state.scene), gesture);
-  }
-
-  wheel(event) {
-    if (!event.ctrlKey && this.frame.matches(":focus")) {
-      event.preventDefault();
-      this.raise(-Math.sign(event.deltaY), "wheel");
-    }
-  }
-
-  key(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || !this.page.field) {
-      return;
-    }
-    const { state, field } = this.page;
-    const light = state.scene.lights[state.selected];
-    const steps = event.shiftKey ? 10 : 1;
-    if (event.key in arrows) {
-      const [dx, dy] = arrows[event.key];
-      if (this.page.turning) {
-        this.begin = { place: [0, 0], environment: state.scene.environment };
-        this.turn([(dx * steps) / 180, (dy * steps) / 180]);
-      } else {
-        const [u, v] = placeOfLight(light, field);
-        const [w, h] = extentOf(field);
-        const step = 0.01 * steps * Math.min(w, h);
-        this.page.changeLight(
-          moveLight(light, [u + (dx * step) / w, v + (dy * step) / h], field, state.scene),
-          "keys",
-        );
-      }
-    } else if (event.key === "PageUp" || event.key === "PageDown") {
-      this.raise(event.key === "PageUp" ? steps : -steps, "keys");
-    } else {
-      return;
-    }
-    event.preventDefault();
   }
 }

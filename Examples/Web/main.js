@@ -4,17 +4,40 @@
 
 import { make } from "./controls.js";
 import { callFiles, choose, download, openFile } from "./files.js";
+import { Gestures } from "./gestures.js";
 import { History } from "./history.js";
 import { describe, extentOf, LightDots, middleHeight } from "./lights.js";
 import { Panel } from "./panel.js";
 import { Picture } from "./picture.js";
 import { createWorkerShader, fitHeightScale } from "./reliefshading/index.js";
-import { fromLink, readSceneFile, sceneFile, shadeOptions, toCode, toLink, usualSun } from "./scene.js";
+import {
+  fromLink,
+  readSceneFile,
+  sceneFile,
+  shadeOptions,
+  toCode,
+  toLink,
+  usualSun,
+  withPreset,
+} from "./scene.js";
+import { View } from "./view.js";
 
 const find = (selector) => document.querySelector(selector);
 const noImages = { base: null, diffuse: null, specular: null, mask: null, environment: null };
 const heightFiles = ".png,.tif,.tiff,.jpg,.jpeg,.webp,.bmp,image/*";
 const mostPixels = 2048; // along a side of the canvas
+
+/** The least and the greatest height. */
+function rangeOf(heights) {
+  let [bottom, top] = [Infinity, -Infinity];
+  for (const value of heights) {
+    if (Number.isFinite(value)) {
+      bottom = Math.min(bottom, value);
+      top = Math.max(top, value);
+    }
+  }
+  return { bottom, top };
+}
 
 class Page {
   constructor(examples) {
@@ -26,6 +49,7 @@ class Page {
     const on = {
       wrong: (error) => this.alert(error.message),
       busy: (busy) => (find("#busy").hidden = !busy),
+      told: (text) => this.alert(text),
       host: (name) => (document.documentElement.dataset.host = name),
       lost: (lost) =>
         lost
@@ -34,7 +58,9 @@ class Page {
     };
     const host = new URLSearchParams(location.search).get("host");
     this.picture = new Picture(find("#canvas"), this.assets, on, host);
+    this.view = new View(() => this.look(true));
     this.dots = new LightDots(find("#frame"), this);
+    this.gestures = new Gestures(find("#frame"), this);
     this.panel = new Panel(find("#panel"), this);
     this.listen();
   }
@@ -57,6 +83,9 @@ class Page {
     find("#undo").addEventListener("click", () => this.history.undo());
     find("#redo").addEventListener("click", () => this.history.redo());
     find("#reset").addEventListener("click", () => this.reset());
+    find("#larger").addEventListener("click", () => this.view.zoomBy(1.5));
+    find("#smaller").addEventListener("click", () => this.view.zoomBy(1 / 1.5));
+    find("#fit").addEventListener("click", () => this.view.fit());
     find("#alert button").addEventListener("click", () => this.alert(""));
     document.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => this.guard(() => this.openLink()));
@@ -180,19 +209,13 @@ class Page {
   // Another field, with a scene that suits it.
   async show(field, scene) {
     const { heights, width, height, spacing } = field;
-    let [bottom, top] = [Infinity, -Infinity];
-    for (const value of heights) {
-      if (Number.isFinite(value)) {
-        bottom = Math.min(bottom, value);
-        top = Math.max(top, value);
-      }
-    }
     const fittedScale = field.lengths ? 1 : await fitHeightScale(heights, { width, height, spacing });
-    this.whole = { ...field, bottom, top, fittedScale };
+    this.whole = { ...field, ...rangeOf(heights), fittedScale };
     this.field = this.whole;
     this.shownMask = null;
     this.assets.clear();
     this.picture.setField(this.field);
+    this.view.setField(this.field);
     this.first = { scene: scene ?? this.usualScene(), selected: 0, images: noImages };
     this.history.begin(this.first);
     this.ends = null;
@@ -215,7 +238,7 @@ class Page {
     this.shownMask = id;
     const mask = this.assets.get(id)?.data;
     const heights = mask ? this.whole.heights.map((value, k) => (mask[k] ? value : NaN)) : this.whole.heights;
-    this.field = { ...this.whole, heights };
+    this.field = { ...this.whole, heights, ...rangeOf(heights) };
     this.picture.setField(this.field);
   }
 
@@ -324,6 +347,10 @@ class Page {
     this.history.endGesture();
   }
 
+  cancelGesture() {
+    this.history.cancelGesture();
+  }
+
   reset() {
     if (this.state !== this.first) {
       this.history.change(this.first);
@@ -349,30 +376,36 @@ class Page {
     this.dots.show();
     find("#undo").disabled = this.history.past.length === 0;
     find("#redo").disabled = this.history.future.length === 0;
-    this.say(describe(scene.lights[this.state.selected], this.field, scene));
+    this.tellLight();
   }
 
-  // The largest frame of the relief's shape in the room that there is.
+  tellLight() {
+    const { scene, selected } = this.state;
+    const zoom = this.view.isWhole ? "" : `; zoom ${(100 * this.view.zoom).toFixed(0)} %`;
+    this.say(describe(scene.lights[selected], this.field, scene) + zoom);
+  }
+
+  // Another part of the relief is seen.
+  look(moving) {
+    this.picture.setView(this.view, moving);
+    this.dots.show();
+    find("#smaller").disabled = find("#fit").disabled = this.view.isWhole;
+    find("#larger").disabled = this.view.isLargest;
+    this.tellLight();
+  }
+
+  // The picture fills the room that there is.
   layOut() {
     if (!this.field) {
       return;
     }
-    const stage = find("#stage");
-    const style = getComputedStyle(stage);
-    const room = [
-      stage.clientWidth - 2 * parseFloat(style.paddingLeft),
-      stage.clientHeight - 2 * parseFloat(style.paddingTop),
-    ];
-    const [w, h] = extentOf(this.field);
-    const scale = Math.min(room[0] / w, room[1] / h);
-    const size = [w, h].map((length) => Math.max(Math.floor(scale * length), 1));
     const frame = find("#frame");
-    frame.style.width = `${size[0]}px`;
-    frame.style.height = `${size[1]}px`;
+    const size = [frame.clientWidth, frame.clientHeight];
     const ratio = Math.min(window.devicePixelRatio || 1, mostPixels / Math.max(...size));
     this.picture.resize(...size.map((length) => Math.max(Math.round(length * ratio), 1)));
+    this.view.setRoom(...size);
     if (this.state.scene) {
-      this.dots.show();
+      this.look(false);
     }
   }
 
@@ -420,7 +453,7 @@ class Page {
     }
     let scene;
     try {
-      scene = readSceneFile(await file.text());
+      scene = await readSceneFile(await file.text());
     } catch (error) {
       throw new Error(`“${file.name}” cannot be opened: ${error.message}.`);
     }

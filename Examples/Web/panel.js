@@ -17,7 +17,7 @@ import {
   wide,
 } from "./controls.js";
 import { extentOf, middleHeight, otherKind } from "./lights.js";
-import { colorToHex, hexToColor, rowOf, usualOf, usualSun } from "./scene.js";
+import { colorToHex, hexToColor, rowOf, usualOf } from "./scene.js";
 
 const capital = (word) => word[0].toUpperCase() + word.slice(1).replaceAll("-", " ");
 
@@ -487,5 +487,3 @@ export class Panel {
     );
   }
 }
-
-export { usualSun };

@@ -2,13 +2,15 @@
 //
 // The picture in the canvas: by WebGL 2, or by the exact sums in a worker where there is none.
 
-import { createWorkerShader } from "./reliefshading/index.js";
-import { rendererScene, shadeOptions } from "./scene.js";
+import { createWorkerShader, planScene } from "./reliefshading/index.js";
+import { shadeOptions } from "./scene.js";
 import { ReliefRenderer } from "./webgl/relief-gl.js";
 
 const seconds = 0.03; // for a frame
 const calm = 160; // milliseconds without a change, after which the picture becomes as good as it gets
 const coarseSamples = 60000; // of a picture while something moves, in a worker
+const mostWorkers = 4;
+const mostCopied = 2 ** 26; // samples in all workers together
 
 /** Every nth sample, so that there are at most so many. */
 function coarser(field) {
@@ -36,26 +38,62 @@ function inSoftware(gl) {
 
 //--------------------------------------------------------------------------------------------------
 class OnGraphicsProcessor {
-  constructor(canvas, onLost, onRestored) {
+  /** @param on   lost(whether), redraw(), wrong(error) */
+  constructor(canvas, on) {
     this.name = "WebGL 2";
+    this.on = on;
+    const onLost = () => on.lost(true);
+    const onRestored = () => on.lost(false);
     this.renderer = new ReliefRenderer(canvas, { onLost, onRestored });
   }
 
   setField(field) {
+    this.field = field;
     this.renderer.setHeights(field.heights, field);
+    this.unexposed = null;
   }
 
   async setScene(state, field, assets) {
-    this.renderer.setScene(await rendererScene(state, assets));
+    const options = shadeOptions(state, field, assets);
+    const plan = await planScene(options, this.renderer.bounds);
+    this.renderer.setScene(plan);
+    this.unexposed = plan.automaticExposure ? options : null;
   }
 
-  async draw(moving) {
-    const { converged, lost } = this.renderer.render({ seconds, moving });
-    return { converged: converged || lost };
+  // By all samples, which the graphics processor has not; until then the samples that are shown decide, and while
+  // things move the last one stays.
+  async expose() {
+    const { field } = this;
+    const options = this.unexposed;
+    this.exposing = true;
+    try {
+      this.exposer ??= createWorkerShader();
+      const stops = await this.exposer.findExposure(field.heights, options);
+      if (!this.disposed && field === this.field) {
+        this.renderer.setExposure(stops);
+      }
+    } catch (error) {
+      this.on.wrong(error);
+    }
+    this.exposing = false;
+    if (options === this.unexposed) {
+      this.unexposed = null;
+    }
+    this.on.redraw();
+  }
+
+  async draw({ zoom, center: [centerX, centerY] }, moving) {
+    const { converged, lost } = this.renderer.render({ seconds, moving, zoom, centerX, centerY });
+    if (this.unexposed && !this.exposing && !moving) {
+      this.expose();
+    }
+    return { converged: lost || (converged && !this.unexposed && !this.exposing) };
   }
 
   dispose() {
+    this.disposed = true;
     this.renderer.dispose();
+    this.exposer?.terminate();
   }
 }
 
@@ -64,12 +102,23 @@ class OnProcessor {
     this.name = "WebAssembly";
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
-    this.shader = createWorkerShader({ workers: Math.min(4, navigator.hardwareConcurrency || 1) });
+    this.employ(mostWorkers);
+  }
+
+  // Each worker has a copy of the heights.
+  employ(workers) {
+    const count = Math.max(Math.min(workers, mostWorkers, navigator.hardwareConcurrency || 1), 1);
+    if (count !== this.workers) {
+      this.shader?.terminate();
+      this.shader = createWorkerShader({ workers: count });
+      this.workers = count;
+    }
   }
 
   setField(field) {
     this.fields = [field, coarser(field)];
-    this.fresh = true; // a coarse picture comes first
+    this.employ(Math.floor(mostCopied / (field.width * field.height)));
+    this.shown = null; // a coarse picture comes first
   }
 
   async setScene(state, field, assets) {
@@ -80,16 +129,25 @@ class OnProcessor {
       ...shadeOptions(state, this.fields[k], assets),
       subsurfaceDepth: depth === "auto" ? mean : depth,
     }));
+    this.made = null;
   }
 
-  async draw(moving) {
-    const k = moving || this.fresh ? 1 : 0;
-    this.fresh = false;
-    const { data, width, height } = await this.shader.shade(this.fields[k].heights, this.options[k]);
-    const picture = await createImageBitmap(new ImageData(data, width, height));
+  async draw(view, moving) {
+    const k = moving || !this.shown ? 1 : 0;
+    if (this.made === null || k < this.made) {
+      const { data, width, height } = await this.shader.shade(this.fields[k].heights, this.options[k]);
+      this.shown = await createImageBitmap(new ImageData(data, width, height));
+      this.made = this.fields[k] === this.fields[0] ? 0 : k;
+    }
+    const [left, top] = view.toPixels([0, 0]).map((c, axis) => c * this.ratio(view, axis));
+    const size = view.size.map((length, axis) => length * this.ratio(view, axis));
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    this.context.drawImage(picture, 0, 0, this.canvas.width, this.canvas.height);
-    return { converged: k === 0 };
+    this.context.drawImage(this.shown, left, top, ...size);
+    return { converged: this.made === 0 };
+  }
+
+  ratio(view, axis) {
+    return [this.canvas.width, this.canvas.height][axis] / view.room[axis];
   }
 
   dispose() {
@@ -101,37 +159,36 @@ class OnProcessor {
 export class Picture {
   /**
    * @param assets    pixels by their names
-   * @param on        wrong(error), busy(whether), host(name), lost(whether)
-   * @param host      "webgl" or "wasm"; else what is quicker
+   * @param on        wrong(error), busy(whether), host(name), lost(whether), told(what is to be known)
+   * @param kind      "webgl" or "wasm"; else what is quicker
    */
-  constructor(canvas, assets, on, host) {
+  constructor(canvas, assets, on, kind) {
     this.canvas = canvas;
     this.assets = assets;
     this.on = on;
+    this.kind = kind;
     this.frames = 0;
     this.changed = false;
     this.moving = false;
     this.waiting = [];
     this.first = new Promise((resolve) => (this.tellFirst = resolve));
     this.host = null;
-    this.begin(host);
+    this.begin(kind);
   }
 
-  begin(host) {
-    if (host !== "wasm") {
+  begin(kind) {
+    if (kind !== "wasm") {
       try {
-        this.host = new OnGraphicsProcessor(
-          this.canvas,
-          () => this.on.lost(true),
-          () => {
-            this.on.lost(false);
+        this.host = new OnGraphicsProcessor(this.canvas, {
+          lost: (lost) => {
+            this.on.lost(lost);
             this.schedule();
           },
-        );
-        if (host !== "webgl" && inSoftware(this.host.renderer.gl)) {
-          this.host.dispose();
-          this.host = null;
-          this.replaceCanvas();
+          redraw: () => this.schedule(),
+          wrong: this.on.wrong,
+        });
+        if (kind !== "webgl" && inSoftware(this.host.renderer.gl)) {
+          this.end();
         }
       } catch {
         this.replaceCanvas();
@@ -141,6 +198,12 @@ export class Picture {
     this.on.host(this.host.name);
   }
 
+  end() {
+    this.host.dispose();
+    this.host = null;
+    this.replaceCanvas();
+  }
+
   // A canvas that has given one kind of context gives no other.
   replaceCanvas() {
     const fresh = this.canvas.cloneNode();
@@ -148,24 +211,39 @@ export class Picture {
     this.canvas = fresh;
   }
 
-  /** What WebGL 2 refuses, as a field that is too large, goes on in a worker. */
-  fallBack() {
-    this.host.dispose();
-    this.host = null;
-    this.replaceCanvas();
+  /** What WebGL 2 refuses, as a field that is too large, goes on in workers, until there is another field. */
+  fallBack(reason) {
+    this.end();
     this.begin("wasm");
     this.host.setField(this.field);
     this.changed = true;
+    this.refused = true;
+    this.on.told(`This relief is shaded by the processor: ${reason}`);
   }
 
   setField(field) {
     this.field = field;
+    if (this.refused) {
+      this.refused = false;
+      this.end();
+      this.begin(this.kind);
+    }
     this.host.setField(field);
   }
 
   setState(state, moving) {
     this.state = state;
     this.changed = true;
+    this.move(moving);
+  }
+
+  /** Another part of the relief is seen. */
+  setView(view, moving) {
+    this.view = view;
+    this.move(moving);
+  }
+
+  move(moving) {
     this.moving = moving;
     clearTimeout(this.timer);
     if (moving) {
@@ -189,7 +267,7 @@ export class Picture {
 
   schedule() {
     this.wanted = true;
-    if (!this.running && this.field && this.state) {
+    if (!this.running && this.field && this.state && this.view) {
       this.running = true;
       requestAnimationFrame(() => this.frame());
     }
@@ -204,14 +282,13 @@ export class Picture {
         await this.host.setScene(this.state, this.field, this.assets);
       }
       const moving = this.moving;
-      ({ converged } = await this.host.draw(moving));
+      ({ converged } = await this.host.draw(this.view, moving));
       converged = converged && moving === this.moving;
       this.frames += 1;
       this.tellFirst();
     } catch (error) {
-      if (error.name === "ReliefError" && this.host instanceof OnGraphicsProcessor && !this.refused) {
-        this.refused = true; // once; what is wrong with the scene is told by the other
-        this.fallBack();
+      if (error.name === "ReliefError" && this.host instanceof OnGraphicsProcessor) {
+        this.fallBack(error.message);
         converged = false;
       } else {
         this.on.wrong(error);

@@ -3,10 +3,15 @@
 // The page's scene: options of the package reliefshading, as they came from a file, and beside them the
 // pictures that are open. A key that is missing has its default.
 
-import { environmentLights, parameters, sceneFromJSON, sceneToJSON } from "./reliefshading/index.js";
+import {
+  parameters,
+  presetOptions,
+  sceneFromJSON,
+  sceneToJSON,
+  usual,
+} from "./reliefshading/index.js";
 
 const find = (owner, key) => parameters.find((row) => row.owner === owner && row.key === key);
-const rowsOf = (owner) => parameters.filter((row) => row.owner === owner);
 
 /** The row of a parameter. */
 export function rowOf(owner, key) {
@@ -32,7 +37,8 @@ export function usualOf(row) {
   }
 }
 
-export const usualSun = { kind: "sun", azimuth: 315, altitude: 45, intensity: 0.95 };
+/** A sun of which nothing is said. */
+export const usualSun = { kind: "sun", azimuth: usual.azimuth, altitude: usual.altitude };
 
 //--------------------------------------------------------------------------------------------------
 // Colours: linear in scenes, sRGB in the page.
@@ -99,53 +105,6 @@ export function shadeOptions(state, field, assets) {
   return { ...options, width, height, spacing, origin };
 }
 
-let lightsFor = { key: "", lights: [] };
-
-async function lightsOf(state, assets) {
-  const environment = environmentOf(state, assets);
-  if (!environment || environment.image === "none") {
-    return [];
-  }
-  const key = JSON.stringify([state.scene.environment, state.images.environment]);
-  if (key !== lightsFor.key) {
-    const { radius, ...infinite } = environment; // the picture that is saved has it
-    lightsFor = { key, lights: await environmentLights({ environment: infinite }) };
-  }
-  return lightsFor.lights;
-}
-
-function rowsIn(owner, scene) {
-  const keys = rowsOf(owner)
-    .map((row) => row.key)
-    .filter((key) => scene[key] !== undefined);
-  return Object.fromEntries(keys.map((key) => [key, scene[key]]));
-}
-
-/** The scene as ReliefRenderer takes it. */
-export async function rendererScene(state, assets) {
-  const { scene } = state;
-  const whole = rowsIn("scene", scene);
-  if (whole.exposure === "auto") {
-    delete whole.exposure;
-    whole.automaticExposure = true;
-  }
-  const material = rowsIn("material", scene);
-  if (material.subsurfaceDepth === "auto") {
-    delete material.subsurfaceDepth;
-  }
-  const textures = {};
-  for (const name of Object.keys(textureKeys)) {
-    textures[name] = assets.get(state.images[name]);
-  }
-  return {
-    ...whole,
-    material,
-    textures,
-    lights: scene.lights,
-    environmentLights: await lightsOf(state, assets),
-  };
-}
-
 //--------------------------------------------------------------------------------------------------
 // Files and links.
 
@@ -153,8 +112,14 @@ export function sceneFile(state) {
   return sceneToJSON(state.scene);
 }
 
+/** A scene with the lights of a preset, and the environment and response that belong to them. */
+export async function withPreset(scene, name) {
+  const { lights, environment, response, ...rest } = scene;
+  return withLight({ ...rest, ...(await presetOptions(name)) });
+}
+
 /** A scene from the text of a file, with at least one light to be moved. */
-export function readSceneFile(text) {
+export async function readSceneFile(text) {
   let scene;
   try {
     scene = sceneFromJSON(text);
@@ -164,12 +129,13 @@ export function readSceneFile(text) {
   return withLight(scene);
 }
 
-function withLight(scene) {
-  const lights = scene.lights ?? [];
+async function withLight(scene) {
+  if (scene.lights?.length > 0) {
+    return scene;
+  }
   // Beside an environment the added one is off, and changes nothing.
-  return lights.length > 0
-    ? scene
-    : { ...scene, lights: [scene.environment ? { ...usualSun, on: false } : usualSun] };
+  const lights = scene.environment ? [{ ...usualSun, on: false }] : (await presetOptions("default")).lights;
+  return { ...scene, lights };
 }
 
 /** A link's text. It names an example and has no pixels. */
@@ -189,7 +155,7 @@ export async function fromLink(hash) {
     const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
     const { example, scene } = JSON.parse(new TextDecoder().decode(bytes));
-    return { example: String(example), scene: readSceneFile(await sceneToJSON(scene)) };
+    return { example: String(example), scene: await readSceneFile(await sceneToJSON(scene)) };
   } catch (error) {
     throw new Error(`The link has no scene that can be read: ${error.message}`);
   }

@@ -2,11 +2,21 @@
 //
 // Shades height fields. index.d.ts documents what is here.
 
-import { environmentLights as lightsOf, fitScale, layerNames, load, presetLights, presetNames, shadeRun } from "./module.js";
-import { readField, readRun, readSurroundings } from "./options.js";
+import {
+  environmentLights as lightsOf,
+  exposureOf,
+  fitScale,
+  layerNames,
+  load,
+  presetLights,
+  presetNames,
+  shadeRun,
+} from "./module.js";
+import { presetOptions as optionsOf, readField, readRun, readSurroundings } from "./options.js";
 import { sceneFromText, sceneToText } from "./scene.js";
 
-export { parameters, version } from "./parameters.js";
+export { parameters, usual, version } from "./parameters.js";
+export { planScene } from "./plan.js";
 export { createWorkerShader } from "./shader.js";
 export { layerNames, presetNames };
 
@@ -20,6 +30,14 @@ export async function shade(heights, options = {}) {
 
 export async function fitHeightScale(heights, options = {}) {
   return fitScale(readField(heights, options));
+}
+
+export async function findExposure(heights, options = {}) {
+  return exposureOf(await readRun(heights, options, { presetLights, fitScale }));
+}
+
+export function presetOptions(preset) {
+  return optionsOf(preset, presetLights);
 }
 
 export async function environmentLights(options = {}) {

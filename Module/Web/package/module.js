@@ -39,7 +39,8 @@ const effectNames = [
   "diffuseTexture",
   "specularTexture",
 ];
-export const presetNames = ["multidirectional", "sky-dome", "sun-and-sky", "combined", "igor"];
+/** As ReliefWeb.cxx numbers them; "default" are the lights of a scene that was given none. */
+export const presetNames = ["multidirectional", "sky-dome", "sun-and-sky", "combined", "igor", "default"];
 const presetSkies = ["none", "whiteDome", "clearSky"];
 const skyNumbers = { none: 0, file: 0, whiteDome: 1, clearSky: 2, picture: 3 };
 
@@ -257,6 +258,56 @@ export function environmentLights({ parameters, environment }) {
   });
 }
 
+// Lights, environment and textures of a run whose heights are there.
+function setScene(wasm, put, run) {
+  run.parameters.forEach((value, number) => wasm.reliefParameter(number, ...value));
+  setLights(wasm, run.scene);
+  if (run.scene.environment) {
+    setEnvironment(wasm, put, run.scene.environment);
+  }
+  for (const [name, texture] of Object.entries(run.textures)) {
+    wasm.reliefTexture(1 + layerNames.indexOf(name), ...picture(put, texture));
+  }
+}
+
+function need(wasm, wrong) {
+  const text = textAt(wasm, wrong);
+  if (text !== "") {
+    throw new RangeError(text);
+  }
+}
+
+/** The exposure of a run in stops, given or found over all of its samples. */
+export function exposureOf(run) {
+  return using((wasm, put) => {
+    setHeights(wasm, put, run);
+    setScene(wasm, put, run);
+    need(wasm, wasm.reliefExpose());
+    return wasm.reliefNumber(3);
+  });
+}
+
+/**
+ * The numbers of a plan (WebPlan.h) of a run without heights, of which `range` has the least and the greatest. In
+ * the place of an environment it has `around`, the lights that stand for it.
+ */
+export function planNumbers(run, range, around) {
+  return using((wasm, put) => {
+    wasm.reliefHeights(0, 0, run.width, run.height, ...run.spacing);
+    setScene(wasm, put, { ...run, scene: { ...run.scene, environment: null } });
+    if (around) {
+      wasm.reliefSky(skyNumbers.none, 0, 0, 0);
+    }
+    for (const { direction, color, weight, toleranceScale } of around ?? []) {
+      wasm.reliefSample(...direction, ...color, weight, toleranceScale);
+    }
+    need(wasm, wasm.reliefPlan(range.bottom, range.top, range.floats ? 1 : 0));
+    return Array.from(
+      new Float64Array(wasm.memory.buffer, wasm.reliefPlanNumbers() >>> 0, wasm.reliefPlanSize()),
+    );
+  });
+}
+
 /**
  * Shades a run, or only part k of so many bands of rows, from the south; see index.d.ts for what comes of it.
  * A band may have no rows.
@@ -264,14 +315,7 @@ export function environmentLights({ parameters, environment }) {
 export function shadeRun(run, [k, bands] = [0, 1]) {
   return using((wasm, put) => {
     setHeights(wasm, put, run);
-    run.parameters.forEach((value, number) => wasm.reliefParameter(number, ...value));
-    setLights(wasm, run.scene);
-    if (run.scene.environment) {
-      setEnvironment(wasm, put, run.scene.environment);
-    }
-    for (const [name, texture] of Object.entries(run.textures)) {
-      wasm.reliefTexture(1 + layerNames.indexOf(name), ...picture(put, texture));
-    }
+    setScene(wasm, put, run);
     run.layers.forEach((name) => wasm.reliefWant(1 + layerNames.indexOf(name)));
     if (run.output === "float") {
       wasm.reliefWantFloat();
@@ -282,10 +326,7 @@ export function shadeRun(run, [k, bands] = [0, 1]) {
     const first = border(k);
     const height = (k + 1 === bands ? run.height : border(k + 1)) - first;
     wasm.reliefRows(first, height);
-    const wrong = textAt(wasm, wasm.reliefShade());
-    if (wrong !== "") {
-      throw new RangeError(wrong);
-    }
+    need(wasm, wasm.reliefShade());
 
     const { width } = run;
     const Type = run.output === "float" ? Float32Array : Uint8ClampedArray;

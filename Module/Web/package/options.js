@@ -118,6 +118,22 @@ async function readPreset(options, presetLights) {
   return presetLights(name, azimuth, altitude);
 }
 
+const wordOf = (rows, key, place) => rows.find((row) => row.key === key).choices[place].word;
+
+/** What a preset stands for, as options. */
+export async function presetOptions(preset, presetLights) {
+  const { lights, environment, response } = await readPreset({ preset }, presetLights);
+  const options = { lights };
+  if (environment) {
+    const { azimuth, altitude, sampling, ...rest } = environment;
+    const place = environment.image === "clearSky" ? { azimuth, altitude } : {};
+    options.environment = { ...rest, ...place, sampling: wordOf(environmentRows, "sampling", sampling) };
+  }
+  return response === undefined
+    ? options
+    : { ...options, response: wordOf(sceneRows, "response", response) };
+}
+
 //--------------------------------------------------------------------------------------------------
 // Pictures and the environment.
 
@@ -403,16 +419,10 @@ function refuseFile(environment) {
   }
 }
 
-/** A run, checked, as module.js takes it. */
-export async function readRun(heights, options, { presetLights, fitScale }) {
-  needObject("options", options);
-  refuseUnknown("", options, [...sceneKeys, ...runKeys]);
-  const field = readField(heights, options);
+// All of a run but its heights and what is wanted of it.
+async function readDressing(options, presetLights) {
   const scene = await readScene(options, presetLights);
   refuseFile(scene.environment);
-  if (scene.fitted) {
-    scene.scene.heightScale = await fitScale(field);
-  }
   const origin = options.origin === undefined ? [0, 0] : needVector("origin", options.origin, 2);
   scene.lights = scene.lights.map((light) =>
     light.kind === "point"
@@ -425,6 +435,18 @@ export async function readRun(heights, options, { presetLights, fitScale }) {
       textures[name] = readPicture(key, options[key]);
     }
   }
+  return { scene, textures };
+}
+
+/** A run, checked, as module.js takes it. */
+export async function readRun(heights, options, { presetLights, fitScale }) {
+  needObject("options", options);
+  refuseUnknown("", options, [...sceneKeys, ...runKeys]);
+  const field = readField(heights, options);
+  const { scene, textures } = await readDressing(options, presetLights);
+  if (scene.fitted) {
+    scene.scene.heightScale = await fitScale(field);
+  }
   const output = ["rgba8", "float"][needWord("output", options.output ?? "rgba8", ["rgba8", "float"])];
   return {
     ...field,
@@ -434,5 +456,26 @@ export async function readRun(heights, options, { presetLights, fitScale }) {
     parameters: numbersOf(scene),
     heightScale: scene.scene.heightScale,
     layers: readLayers(options.layers ?? []),
+  };
+}
+
+/** A run without heights, checked, as planNumbers() takes it. */
+export async function readPlanned(options, presetLights) {
+  needObject("options", options);
+  refuseUnknown("", options, [...sceneKeys, ...runKeys]);
+  const { width, height, spacing = 1 } = options;
+  checkSize("", width, height);
+  const { scene, textures } = await readDressing(options, presetLights);
+  if (scene.fitted) {
+    throw new TypeError('heightScale: "auto" depends on heights; give the number, of fitHeightScale()');
+  }
+  return {
+    width,
+    height,
+    spacing: readSpacing(spacing),
+    scene,
+    textures,
+    parameters: numbersOf(scene),
+    heightScale: scene.scene.heightScale,
   };
 }

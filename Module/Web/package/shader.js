@@ -120,18 +120,15 @@ export function createWorkerShader(how = {}) {
       ),
     );
   };
+  const callOne = async (message, how) => (await callAll(threads.slice(0, 1), message, how))[0];
   return {
     async shade(heights, options = {}, transfer) {
       return joinBands(await callAll(threads, { what: "shade", heights, options }, transfer));
     },
-    async fitHeightScale(heights, options = {}, transfer) {
-      const [scale] = await callAll(
-        threads.slice(0, 1),
-        { what: "fitHeightScale", heights, options },
-        transfer,
-      );
-      return scale;
-    },
+    fitHeightScale: (heights, options = {}, transfer) =>
+      callOne({ what: "fitHeightScale", heights, options }, transfer),
+    findExposure: (heights, options = {}, transfer) =>
+      callOne({ what: "findExposure", heights, options }, transfer),
     terminate: () => end(new Error("the worker was terminated")),
   };
 }

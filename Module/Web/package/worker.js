@@ -2,12 +2,14 @@
 //
 // What shader.js starts: answers one call after the other. Results are handed over, not copied.
 
-import { fitScale, presetLights, shadeRun } from "./module.js";
+import { exposureOf, fitScale, presetLights, shadeRun } from "./module.js";
 import { readField, readRun } from "./options.js";
 
 const answers = {
   shade: async (heights, options, band) =>
     shadeRun(await readRun(heights, options, { presetLights, fitScale }), band),
+  findExposure: async (heights, options) =>
+    exposureOf(await readRun(heights, options, { presetLights, fitScale })),
   fitHeightScale: (heights, options) => fitScale(readField(heights, options)),
 };
 

@@ -5,7 +5,7 @@
 /// that is given was checked by options.js, and stays where it is until the run ends. Texts are
 /// UTF-8 and end with 0; an empty one says that all is well.
 
-#include "WebScene.h"
+#include "WebPlan.h"
 
 #include "Angles.h"
 #include "AutomaticExposure.h"
@@ -69,6 +69,7 @@ struct Run
   std::unique_ptr<unsigned char[]> codes;
   double numbers[NumberOfNumbers] = {};
   std::vector<double> lights; ///< those that stand for the environment
+  std::vector<double> plan;
   std::string wrong;
 };
 
@@ -117,43 +118,61 @@ void CountTexels(Run& run, int effects)
   }
 }
 
-std::string Shade(Run& run)
+// Heights and scene as the model takes them. Returns what is wrong.
+std::string Prepare(Run& run, HeightField& field, Scene& scene, int& cleaned)
 {
-  Scene scene = MaterialOf(run.scene, run.heights);
-  HeightField field;
+  scene = MaterialOf(run.scene, run.heights);
   const bool padded = SceneShading::WantsPadding(scene, run.heights.columns);
   const std::string wrong = Assign(run.heights, run.scene[key::SceneHeightScale], padded, field);
-  if (!wrong.empty())
+  if (wrong.empty())
   {
-    return wrong;
+    Complete(run.scene, run.heights, field, scene, cleaned);
   }
-  int cleaned = 0;
-  Complete(run.scene, run.heights, field, scene, cleaned);
-  if (run.wanted[Shadow] && scene.sun.empty())
-  {
-    return "the layer shadow is that of a sun, and no sun is on; add a sun, or leave the layer out";
-  }
-  double rays = 0.0;
-  double cells = 0.0;
-  if (!run.eightBit)
-  {
-    scene.exposure = 0.0;
-  }
-  else if (run.scene[key::SceneAutomaticExposure] != 0.0 && field.HasData())
+  return wrong;
+}
+
+// Finds an automatic exposure, and notes what that took.
+void Expose(Run& run, const HeightField& field, Scene& scene)
+{
+  if (run.scene[key::SceneAutomaticExposure] != 0.0 && field.HasData())
   {
     AutomaticExposure exposure(field, scene);
     exposure.Measure(0, exposure.GetNumberOfTiles());
     scene.exposure = exposure.GetStops();
-    rays = static_cast<double>(exposure.GetShading().GetRaysTraced());
-    cells = static_cast<double>(exposure.GetShading().GetCellsVisited());
+    run.numbers[RaysTraced] += static_cast<double>(exposure.GetShading().GetRaysTraced());
+    run.numbers[CellsVisited] += static_cast<double>(exposure.GetShading().GetCellsVisited());
+  }
+  run.numbers[ExposureStops] = scene.exposure;
+}
+
+std::string Shade(Run& run)
+{
+  HeightField field;
+  Scene scene;
+  int cleaned = 0;
+  const std::string wrong = Prepare(run, field, scene, cleaned);
+  if (!wrong.empty())
+  {
+    return wrong;
+  }
+  if (run.wanted[Shadow] && scene.sun.empty())
+  {
+    return "the layer shadow is that of a sun, and no sun is on; add a sun, or leave the layer out";
+  }
+  if (run.eightBit)
+  {
+    Expose(run, field, scene);
+  }
+  else
+  {
+    scene.exposure = 0.0;
   }
   SceneShading shading(field, scene, MakeTarget(run));
   shading.Shade(0, run.heights.columns, run.firstRow, run.firstRow + run.rows);
   PictureWriter::Flush();
   run.numbers[LightsTraced] = shading.GetLightsTraced();
-  run.numbers[RaysTraced] = rays + static_cast<double>(shading.GetRaysTraced());
-  run.numbers[CellsVisited] = cells + static_cast<double>(shading.GetCellsVisited());
-  run.numbers[ExposureStops] = scene.exposure;
+  run.numbers[RaysTraced] += static_cast<double>(shading.GetRaysTraced());
+  run.numbers[CellsVisited] += static_cast<double>(shading.GetCellsVisited());
   run.numbers[Effects] = shading.GetEffects();
   run.numbers[SamplesWithData] = field.HasData() ? 1.0 : 0.0;
   run.numbers[CleanedTexels] = cleaned;
@@ -342,6 +361,20 @@ RELIEF_EXPORT const char* reliefShade()
   return TheRun->wrong.c_str();
 }
 
+// Finds the exposure, as reliefNumber() then has it, and shades nothing. Returns what is wrong.
+RELIEF_EXPORT const char* reliefExpose()
+{
+  HeightField field;
+  Scene scene;
+  int cleaned = 0;
+  TheRun->wrong = Prepare(*TheRun, field, scene, cleaned);
+  if (TheRun->wrong.empty())
+  {
+    Expose(*TheRun, field, scene);
+  }
+  return TheRun->wrong.c_str();
+}
+
 // Rows from south to north; null where it was not asked for.
 RELIEF_EXPORT const void* reliefResult(int layer)
 {
@@ -378,6 +411,37 @@ RELIEF_EXPORT const double* reliefEnvironmentNumbers()
   return TheRun->lights.data();
 }
 
+// A light that stands for the environment, as reliefEnvironmentLights() has found it.
+RELIEF_EXPORT void reliefSample(double x, double y, double z, double r, double g, double b,
+  double weight, double toleranceScale)
+{
+  Light light;
+  light.vector = { x, y, z };
+  light.color = { r, g, b };
+  light.weight = weight;
+  light.toleranceScale = toleranceScale;
+  TheRun->scene.samples.push_back(light);
+}
+
+// What a host upon a graphics processor does for heights of this range, as reliefPlanNumbers() then
+// has it. Returns what is wrong.
+RELIEF_EXPORT const char* reliefPlan(double least, double greatest, int floats)
+{
+  TheRun->wrong = PlanNumbers(
+    TheRun->scene, TheRun->heights, { least, greatest, floats != 0 }, TheRun->plan);
+  return TheRun->wrong.c_str();
+}
+
+RELIEF_EXPORT const double* reliefPlanNumbers()
+{
+  return TheRun->plan.data();
+}
+
+RELIEF_EXPORT int reliefPlanSize()
+{
+  return static_cast<int>(TheRun->plan.size());
+}
+
 // A preset of LightPresets.h as numbers: those of its sky (kind, intensity, samples, sampling),
 // response or -1, how many suns; and of each sun azimuth, altitude, diameter, intensity, color.
 RELIEF_EXPORT const double* reliefPreset(int which, double azimuth, double altitude)
@@ -387,7 +451,8 @@ RELIEF_EXPORT const double* reliefPreset(int which, double azimuth, double altit
     : which == 1                        ? SkyDomeLights()
     : which == 2                        ? SunAndSkyLights(azimuth, altitude)
     : which == 3                        ? CombinedLights(azimuth, altitude)
-                                        : IgorLights(azimuth);
+    : which == 4                        ? IgorLights(azimuth)
+                                        : DefaultLights();
   double* to = numbers;
   for (const double number :
     { static_cast<double>(preset.sky), preset.skyIntensity, static_cast<double>(preset.skySamples),

@@ -53,16 +53,16 @@ void AddTexture(
 
 std::vector<Light> EnvironmentLights(const WebScene& scene, int& cleaned)
 {
-  if (scene.sky == Sky::None)
+  std::vector<Light> samples = scene.samples;
+  if (scene.sky != Sky::None)
   {
-    return {};
+    const RadianceMap map = MapOf(scene);
+    cleaned = static_cast<int>(map.GetCleaned());
+    samples =
+      SampleEnvironment(map, static_cast<EnvironmentSampling>(scene[key::EnvironmentSampling]),
+        static_cast<int>(scene[key::EnvironmentNumberOfSamples]),
+        TurnOf(scene[key::EnvironmentRotationZ], scene[key::EnvironmentTilt]));
   }
-  const RadianceMap map = MapOf(scene);
-  cleaned = static_cast<int>(map.GetCleaned());
-  std::vector<Light> samples =
-    SampleEnvironment(map, static_cast<EnvironmentSampling>(scene[key::EnvironmentSampling]),
-      static_cast<int>(scene[key::EnvironmentNumberOfSamples]),
-      TurnOf(scene[key::EnvironmentRotationZ], scene[key::EnvironmentTilt]));
   for (Light& light : samples)
   {
     light.intensity = scene[key::EnvironmentIntensity];
@@ -113,7 +113,7 @@ Scene MaterialOf(const WebScene& scene, const WebHeights& heights)
   return result;
 }
 
-void Complete(const WebScene& scene, const WebHeights& heights, const HeightField& field,
+std::size_t Complete(const WebScene& scene, const WebHeights& heights, const HeightField& field,
   Scene& result, int& cleaned)
 {
   result.medium.floorHeight = scene[key::MaterialFloorHeight] - field.GetDatum();
@@ -132,6 +132,7 @@ void Complete(const WebScene& scene, const WebHeights& heights, const HeightFiel
       result.Add(source.light, source.diameter, samples);
     }
   }
+  const std::size_t around = result.lights.size();
   AddEnvironment(scene, field, result, cleaned);
   for (Light& light : result.lights)
   {
@@ -140,6 +141,7 @@ void Complete(const WebScene& scene, const WebHeights& heights, const HeightFiel
   AddTexture(scene.diffuseTexture, heights, result.diffuseTextures);
   AddTexture(scene.baseTexture, heights, result.baseTextures);
   AddTexture(scene.specularTexture, heights, result.specularTextures);
+  return around;
 }
 
 }

@@ -46,6 +46,8 @@ struct WebScene
   double skyAltitude = 0.0;
   double turbidity = UsualTurbidity;
   ColorTexture skyPicture;
+  /// The lights that stand for the environment, where they have been found before.
+  std::vector<Light> samples;
   /// Pictures that cover the heights, without texels where there are none.
   ColorTexture baseTexture;
   ColorTexture diffuseTexture;
@@ -58,8 +60,8 @@ struct WebScene
 Scene MaterialOf(const WebScene& scene, const WebHeights& heights);
 
 /// Brings the datum, the lights and the textures. `cleaned` is how many texels of the environment
-/// are not as they were given.
-void Complete(const WebScene& scene, const WebHeights& heights, const HeightField& field,
+/// are not as they were given. Returns where the lights of the environment begin.
+std::size_t Complete(const WebScene& scene, const WebHeights& heights, const HeightField& field,
   Scene& result, int& cleaned);
 
 /// The lights that stand for the environment, infinitely far away; none where it has no map.

@@ -3,6 +3,7 @@
 // Pictures that colour a surface, stretched over the field: decoded, multiplied by their alpha and laid over
 // a colour at every sample of a grid, as ColorTexture and ReliefColorLayers do it.
 
+const WHITES = [[Uint8Array, 255], [Uint8ClampedArray, 255], [Uint16Array, 65535]]; // other texels are linear
 const LARGEST_FLOAT = 3.4028234663852886e38;
 const SNAP = 1e-6; // what rounding does to coordinates is less
 
@@ -25,7 +26,9 @@ function decodeTable(white)
 // Returns a function that puts a texel's colour, multiplied by its alpha, and alpha into an array.
 function makeReader(texture)
 {
-  const { data, components, width, white } = texture;
+  const { data, width, height } = texture;
+  const components = data.length / (width * height);
+  const white = WHITES.find(([Type]) => data instanceof Type)?.[1];
   const table = white ? decodeTable(white) : null;
   const color = table ? (v) => table[v] : (v) => (v >= 0 && v <= LARGEST_FLOAT ? v : 0);
   const alpha = table ? (v) => v / white : (v) => Math.min(color(v), 1);

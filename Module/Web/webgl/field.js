@@ -7,7 +7,6 @@ import { ReliefError } from './error.js';
 
 const BLOCK = 4;        // cells along a side of the smallest block that has bounds
 const MOST_LEVELS = 16; // for which ReliefField.glsl has room
-const LARGEST_FLOAT = 3.4028234663852886e38;
 const SHORTEST = 1e-32; // a spacing, and the longest by its reciprocal
 
 let versions = 0;
@@ -50,61 +49,51 @@ export function takeHeights(heights, layout = {})
   {
     throw new ReliefError(`the rows are "${rows}": "north-first" or "south-first" is expected`);
   }
+  const noData = layout.noData ?? null;
+  const place = { width, height, spacing, origin: [Number(origin[0]), Number(origin[1])] };
   return {
-    heights, columns: width, rows: height, spacing, origin: [Number(origin[0]), Number(origin[1])],
-    northFirst: rows === 'north-first', noData: layout.noData ?? null,
+    heights, columns: width, rows: height, spacing, northFirst: rows === 'north-first', noData,
+    bounds: { ...place, ...rangeOf(heights, noData), floats: heights instanceof Float32Array },
   };
 }
 
-// Scales the heights. Differences of numbers of more than single precision are kept by a datum, from which
-// all are counted.
-export function prepareField(source, scale)
+// The least and the greatest height that is one.
+function rangeOf(heights, noData)
+{
+  let bottom = Infinity;
+  let top = -Infinity;
+  for (let k = 0; k < heights.length; ++k)
+  {
+    const height = heights[k];
+    if (Math.abs(height) <= Number.MAX_VALUE && height !== noData)
+    {
+      bottom = height < bottom ? height : bottom;
+      top = height > top ? height : top;
+    }
+  }
+  return top >= bottom ? { bottom, top } : { bottom: 1, top: 0 };
+}
+
+// Scales the heights and counts them from a datum.
+export function prepareField(source, scale, datum)
 {
   const { heights, columns, rows, noData } = source;
   const values = new Float32Array(heights.length);
-  let lo = Infinity;
-  let hi = -Infinity;
-  const copy = (datum) =>
+  let top = -Infinity;
+  for (let j = 0; j < rows; ++j)
   {
-    lo = Infinity;
-    hi = -Infinity;
-    for (let j = 0; j < rows; ++j)
+    let from = (source.northFirst ? rows - 1 - j : j) * columns;
+    for (let k = j * columns, end = k + columns; k < end; ++k, ++from)
     {
-      let from = (source.northFirst ? rows - 1 - j : j) * columns;
-      for (let k = j * columns, end = k + columns; k < end; ++k, ++from)
-      {
-        const given = heights[from];
-        const length = given * scale - datum;
-        if (Math.abs(given) <= Number.MAX_VALUE && given !== noData)
-        {
-          values[k] = length;
-          lo = length < lo ? length : lo;
-          hi = length > hi ? length : hi;
-        }
-        else
-        {
-          values[k] = NaN;
-        }
-      }
+      const given = heights[from];
+      const known = Math.abs(given) <= Number.MAX_VALUE && given !== noData;
+      values[k] = known ? given * scale - datum : NaN;
+      top = values[k] > top ? values[k] : top;
     }
-  };
-  copy(0);
-  let datum = 0;
-  if (!(heights instanceof Float32Array) && hi >= lo &&
-    Math.max(Math.abs(lo), Math.abs(hi)) > 64 * (hi - lo))
-  {
-    datum = lo + (hi - lo) / 2;
-    copy(datum);
-  }
-  if (hi - lo > LARGEST_FLOAT / 16 || hi > LARGEST_FLOAT || lo < -LARGEST_FLOAT)
-  {
-    throw new ReliefError(`heights reach from ${lo} to ${hi}, a relief of at most ${LARGEST_FLOAT / 16} ` +
-      'is expected; a value that means no data is told as noData');
   }
   return {
-    version: ++versions, values, columns, rows, spacing: source.spacing, origin: source.origin, datum,
-    northFirst: source.northFirst, hasData: hi >= lo, bottom: Math.fround(lo), top: Math.fround(hi),
-    bounds: layOut(buildPyramid(values, columns, rows)),
+    version: ++versions, scale, datum, values, columns, rows, spacing: source.spacing,
+    northFirst: source.northFirst, top, bounds: layOut(buildPyramid(values, columns, rows)),
   };
 }
 

@@ -10,7 +10,6 @@
 import { coverGrid } from './color-textures.js';
 import { Grid, makeGrid } from './grid.js';
 import { MOST_GATHERED } from './programs.js';
-import { planEffects } from './scene.js';
 
 const BAND_SECONDS = 0.02; // longer draws make the browser believe that its page hangs
 const FIRST_TEXELS = 2048;  // of the first band, which tells how long others take
@@ -33,7 +32,8 @@ function strength(light)
 function illuminationKey(field, scene, light)
 {
   const { medium } = scene;
-  const key = [field.version, ...light.traced, light.positional, scene.response, medium.depth, medium.offset];
+  const key = [field.version, ...light.traced, light.positional, scene.combined, scene.igor, medium.depth,
+    medium.surfaceNormal, medium.tangentPlane];
   if (scene.fixedStep)
   {
     // Algorithm 1 counts points: it knows no attenuation, floor or tolerance.
@@ -129,7 +129,7 @@ export class Frames
     this.rest = [];
     this.entries.forEach((alike) => alike.forEach((entry) => { entry.used = false; }));
     let room = this.request.memory / (4 * Math.max(this.full.texels, 1));
-    for (const light of this.plan.lights)
+    for (const light of this.scene.lights)
     {
       if (!light.shows || (!light.matte && !this.sums.specular))
       {
@@ -300,7 +300,7 @@ export class Frames
     const from = JSON.stringify([this.shown, this.sums, scene.specularFalloff, scene.scatterFalloff,
       this.first.map(({ light, entry }) =>
         [entry ? entry.stamp : 0, light.directional, light.vector, light.radiance]),
-      this.first.length > 0 ? [scene.medium.depth, scene.medium.offset, this.field.version] : 0]);
+      this.first.length > 0 ? [scene.medium, this.field.version] : 0]);
     if (this.gatheredFrom === from)
     {
       return;
@@ -557,8 +557,7 @@ export class Frames
     const keep = sameField && this.full.holds(full) &&
       Math.max(...this.full.size) <= request.mostSize && this.full.texels <= 2 * full.texels;
     this.full = keep ? this.full : full;
-    this.plan = planEffects(field, scene);
-    this.sums = { diffuse: this.plan.diffuse, scatter: this.plan.scatter, specular: this.plan.specular };
+    this.sums = scene.sums;
     this.converged = false;
     try
     {

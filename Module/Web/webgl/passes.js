@@ -8,7 +8,6 @@ import { ReliefError } from './error.js';
 import {
   composeText, displayText, gatherText, MOST_GATHERED, probeText, sumText, traceText, VERTEX_PROGRAM, webProgram,
 } from './programs.js';
-import { COMBINED, IGOR, SURFACE_NORMAL, TANGENT_PLANE } from './scene.js';
 
 const FLT_MIN = 1.1754943508222875e-38;
 const FLT_EPSILON = 1.1920928955078125e-7;
@@ -325,14 +324,14 @@ export class Passes
   {
     return {
       positional: light.positional,
-      surfaceNormal: scene.medium.offset === SURFACE_NORMAL,
-      tangentPlane: scene.medium.offset === TANGENT_PLANE,
+      surfaceNormal: scene.medium.surfaceNormal,
+      tangentPlane: scene.medium.tangentPlane,
       exponential: scene.medium.exponential,
       floor: scene.medium.useFloor,
       deep: scene.medium.exponential || singleDepth(scene.medium) > 0,
       fixedStep: scene.fixedStep,
-      combined: scene.response === COMBINED,
-      igor: scene.response === IGOR,
+      combined: scene.combined,
+      igor: scene.igor,
     };
   }
 

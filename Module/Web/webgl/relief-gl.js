@@ -7,7 +7,6 @@ import { prepareField, takeHeights } from './field.js';
 import { Frames } from './frames.js';
 import { placeView, visiblePart } from './grid.js';
 import { Passes } from './passes.js';
-import { placeScene, readScene } from './scene.js';
 
 export { ReliefError };
 
@@ -62,8 +61,9 @@ export class ReliefRenderer
     }
     this.lost = this.gl.isContextLost();
     this.source = null;  // what setHeights() was given
-    this.scene = readScene({});
+    this.scene = null;   // what setScene() was given
     this.textures = 0;   // changes with the scene's textures
+    this.stops = null;   // of an automatic exposure that was found elsewhere
     this.field = null;   // heights by the scene's scale
     this.last = null;    // how the last picture was asked for
     this.listeners = {
@@ -99,7 +99,7 @@ export class ReliefRenderer
   {
     this.lost = false;
     this.begin();
-    if (this.last && this.source)
+    if (this.last && this.source && this.scene)
     {
       this.render(this.last);
     }
@@ -121,56 +121,71 @@ export class ReliefRenderer
   {
     this.source = takeHeights(heights, layout);
     this.field = null;
-    this.placed = null;
+    this.scene = null;
+    this.stops = null;
   }
 
-  /**
-   * A scene as scene files have it: heightScale, tolerance, response, exposure …, material, lights; and beside
-   * that
-   *   environmentLights   instead of an environment the lights that stand for it: direction (toward it), color,
-   *                       weight, toleranceScale
-   *   textures            base, diffuse, specular: pictures over the whole field, with rows as the heights
-   *                       have them: ImageData, or width, height and data (integers are sRGB, floats linear)
-   */
-  setScene(scene)
+  /** What planScene() of the package reliefshading wants to know of the heights. */
+  get bounds()
   {
-    const read = readScene(scene ?? {});
-    if (this.field && read.heightScale !== this.scene.heightScale)
-    {
-      this.field = null;
-    }
-    const names = ['base', 'diffuse', 'specular'];
-    // A picture that is given again is the same one, as long as its array is.
-    for (const name of names)
-    {
-      const before = this.scene.textures[name];
-      const after = read.textures[name];
-      if (before && after && before.data === after.data && before.width === after.width)
-      {
-        read.textures[name] = before;
-      }
-    }
-    this.textures += names.some((name) => read.textures[name] !== this.scene.textures[name]) ? 1 : 0;
-    this.scene = read;
-    this.placed = null;
+    return this.needSource().bounds;
   }
 
-  prepare()
+  needSource()
   {
     if (!this.source)
     {
       throw new ReliefError('there are no heights: call setHeights() first');
     }
-    this.field = this.field ?? prepareField(this.source, this.scene.heightScale);
+    return this.source;
+  }
+
+  /**
+   * A scene as planScene() of the package reliefshading makes it of options, for the heights that were set; with
+   * other heights it has to be made anew.
+   */
+  setScene(scene)
+  {
+    if (!Array.isArray(scene?.lights) || !scene.medium)
+    {
+      throw new ReliefError('the scene has no plan: what planScene() gives is expected');
+    }
+    this.needSource();
+    if (this.field && (this.field.scale !== scene.heightScale || this.field.datum !== scene.datum))
+    {
+      this.field = null;
+    }
+    const before = this.scene?.textures ?? {};
+    const after = { ...scene.textures };
+    const names = ['base', 'diffuse', 'specular'];
+    // A picture that is given again is the same one, as long as its array is.
+    const same = (name) => before[name]?.data === after[name]?.data && before[name]?.width === after[name]?.width;
+    names.filter(same).forEach((name) => { after[name] = before[name]; });
+    this.textures += names.every(same) ? 0 : 1;
+    this.scene = { ...scene, textures: after };
+  }
+
+  /**
+   * What an automatic exposure is, in stops, as findExposure() of the package finds it by all samples; null where it
+   * is not known: then the samples that are shown decide.
+   */
+  setExposure(stops)
+  {
+    this.stops = stops;
+  }
+
+  prepare()
+  {
+    this.needSource();
+    if (!this.scene)
+    {
+      throw new ReliefError('there is no scene for these heights: call setScene() first');
+    }
+    this.field = this.field ?? prepareField(this.source, this.scene.heightScale, this.scene.datum);
     if (this.loaded !== this.field)
     {
       this.passes.setField(this.field);
       this.loaded = this.field;
-    }
-    if (!this.placed || this.placedOn !== this.field)
-    {
-      this.placed = placeScene(this.scene, this.field);
-      this.placedOn = this.field;
     }
   }
 
@@ -209,7 +224,7 @@ export class ReliefRenderer
     const part = visiblePart(this.field, this.place);
     if (part.any)
     {
-      frames.update(this.field, this.placed, {
+      frames.update(this.field, this.scene, {
         part, pixels: canvas.width * canvas.height, mostSize: passes.mostSize, textures: this.textures,
         memory: this.options.cacheBytes ?? CACHE_BYTES, seconds: positive(request.seconds, Infinity, 'seconds'),
         moving: request.moving ?? false, coarseness: 1 / detail,
@@ -241,7 +256,7 @@ export class ReliefRenderer
 
   show(target, encoded)
   {
-    const stops = this.placed.automaticExposure ? this.findExposure() : this.placed.exposure;
+    const stops = this.scene.automaticExposure ? this.stops ?? this.findExposure() : this.scene.exposure;
     this.passes.show(this.frames.colors, this.place,
       { target, encoded, exposure: 2 ** stops, background: encoded ? this.options.background : [0, 0, 0, 0] });
   }

@@ -5,6 +5,7 @@
 import { Passes } from '/modules/passes.js';
 import { probeText } from '/modules/programs.js';
 import { ReliefError, ReliefRenderer } from '/modules/relief-gl.js';
+import { planScene, sceneFromJSON } from '/package/index.js';
 
 const TYPES = { float32: Float32Array, uint8: Uint8Array };
 const SUN = { kind: 'sun', azimuth: 315, altitude: 35 };
@@ -65,11 +66,27 @@ function newRenderer(width, height = width, options = {})
   return new ReliefRenderer(new OffscreenCanvas(width, height), options);
 }
 
+// A scene as a file has it, beside it textures.
+function optionsOf({ textures = {}, ...file })
+{
+  const options = sceneFromJSON(JSON.stringify({ reliefScene: 1, ...file }));
+  for (const [name, texture] of Object.entries(textures))
+  {
+    options[`${name}Texture`] = texture;
+  }
+  return options;
+}
+
+async function setScene(renderer, scene)
+{
+  renderer.setScene(await planScene(optionsOf(scene), renderer.bounds));
+}
+
 const witnesses = new Map();
 
 // The colours of a scene for which nothing is kept: of heights that are set anew all is. One renderer for all, as
 // programs take long to compile.
-function afresh(heights, layout, scene, request, options = {})
+async function afresh(heights, layout, scene, request, options = {})
 {
   const kind = JSON.stringify(options);
   if (!witnesses.has(kind))
@@ -80,7 +97,7 @@ function afresh(heights, layout, scene, request, options = {})
   renderer.canvas.width = layout.width;
   renderer.canvas.height = layout.height;
   renderer.setHeights(heights, layout);
-  renderer.setScene(scene);
+  await setScene(renderer, scene);
   renderer.render(request);
   return renderer.readColors().data;
 }
@@ -165,7 +182,7 @@ export async function agreement()
     }
     renderer.setHeights(south ? flipped(one.values, height) : one.values,
       { width, height, spacing: one.spacing, rows: south ? 'south-first' : 'north-first' });
-    renderer.setScene(scene);
+    await setScene(renderer, scene);
     const state = renderer.render();
     const colors = renderer.readColors();
     const found = { name: one.name, ...state, ...compare(colors.data, one.expected) };
@@ -183,7 +200,7 @@ export async function agreement()
 //--------------------------------------------------------------------------------------------------
 
 // Infinity and what is no number, as programs see them.
-export function numbers()
+export async function numbers()
 {
   const checks = new Checks();
   const gl = new OffscreenCanvas(1, 1).getContext('webgl2');
@@ -217,8 +234,8 @@ export function numbers()
   }
   const scene = { lights: [SUN, { kind: 'point', position: [10, 10, 30] }],
     material: { subsurfaceDepth: 3, specularCoefficient: 0.3, forwardScatterCoefficient: 0.2 } };
-  const plain = afresh(heights, layout, scene);
-  const byBits = afresh(heights, layout, scene, {}, { nanByBits: true });
+  const plain = await afresh(heights, layout, scene);
+  const byBits = await afresh(heights, layout, scene, {}, { nanByBits: true });
   checks.equal(farthest(plain, byBits), 0, 'the same by bits');
   heights.forEach((h, k) =>
   {
@@ -233,7 +250,7 @@ export function numbers()
   ];
   for (const [name, values, width, height] of fields)
   {
-    const colors = afresh(values, { width, height }, scene);
+    const colors = await afresh(values, { width, height }, scene);
     checks.that(colors.every(Number.isFinite), `${name}: ${colors.slice(0, 8)}`);
   }
   return checks.wrong;
@@ -260,7 +277,7 @@ export async function context()
     let lost = () => {};
     const renderer = new ReliefRenderer(canvas, { onLost: () => lost(), onRestored: () => restored() });
     renderer.setHeights(hills(64, 48), { width: 64, height: 48 });
-    renderer.setScene({ lights: [SUN], material: { specularCoefficient: 0.2, diffuseColor: [0.9, 0.7, 0.4] },
+    await setScene(renderer, { lights: [SUN], material: { specularCoefficient: 0.2, diffuseColor: [0.9, 0.7, 0.4] },
       textures: { base: { width: 2, height: 1, data: new Uint8Array([255, 0, 0, 255, 0, 0, 255, 128]) } } });
     renderer.render({ zoom: 1.5, centerX: 0.4 });
     const before = renderer.readPixels();
@@ -282,7 +299,7 @@ export async function context()
 //--------------------------------------------------------------------------------------------------
 
 // What a change makes anew, and that it shows.
-export function keptWork()
+export async function keptWork()
 {
   const checks = new Checks();
   const layout = { width: 60, height: 50 };
@@ -291,44 +308,43 @@ export function keptWork()
   renderer.setHeights(heights, layout);
   let scene = {
     lights: [SUN, { kind: 'sun', azimuth: 90, altitude: 50, intensity: 0.4 }],
-    environmentLights: Array.from({ length: 6 }, (_, k) =>
-      ({ direction: [Math.sin(k), Math.cos(k), 0.3 + 0.1 * k], color: [1, 0.9, 0.8], weight: 0.1 })),
+    environment: { image: 'clearSky', azimuth: 120, altitude: 40, numberOfSamples: 16, intensity: 0.3 },
     material: {},
   };
-  const step = (name, change, traced, request = {}) =>
+  const step = async (name, change, traced, request = {}) =>
   {
     scene = { ...scene, ...change };
-    renderer.setScene(scene);
+    await setScene(renderer, scene);
     const state = renderer.render(request);
     checks.equal(state.lightsTraced, traced, `${name}: lights traced`);
     checks.that(state.converged, `${name}: has not converged`);
-    const difference = farthest(renderer.readColors().data, afresh(heights, layout, scene, request));
+    const difference = farthest(renderer.readColors().data, await afresh(heights, layout, scene, request));
     checks.that(difference < 1e-5, `${name}: differs from a new picture by ${difference}`);
   };
   const material = (more) => ({ material: { ...scene.material, ...more } });
-  step('first', {}, 8);
-  step('again', {}, 0);
-  step('colours', material({ diffuseColor: [0.8, 0.5, 0.3], baseColor: [0, 0.1, 0] }), 0);
-  step('coefficients', material({ specularCoefficient: 0.3, forwardScatterCoefficient: 0.4 }), 0);
-  step('falloffs', material({ specularPower: 4, forwardScatterRange: [-0.5, 0.5] }), 0);
-  step('exposure', { exposure: 1 }, 0);
-  step('intensity', { lights: [{ ...SUN, intensity: 0.7, color: [1, 0.5, 0.2] }, scene.lights[1]] }, 0);
-  step('a sun', { lights: [{ ...SUN, azimuth: 300 }, scene.lights[1]] }, 1);
-  step('the environment, brighter', {
-    environmentLights: scene.environmentLights.map((light) => ({ ...light, intensity: 2 })),
-  }, 0);
-  step('one of its lights', {
-    environmentLights: scene.environmentLights.map((light, k) => (k === 2 ? { ...light, color: [0, 0, 1] } : light)),
-  }, 0);
-  step('a light fewer', { lights: [scene.lights[0]] }, 0);
-  step('a texture', { textures: { diffuse: { width: 1, height: 2, data: Float32Array.of(1, 0.5) } } }, 0);
-  step('another', { textures: { diffuse: { width: 1, height: 2, data: Float32Array.of(0.2, 0.5) } } }, 0);
-  step('depth', material({ subsurfaceDepth: 2 }), 7);
-  step('height scale', { heightScale: 0.5 }, 7);
-  step('response', { response: 'Combined' }, 7);
-  step('what exact does not look at', { numberOfSteps: 99 }, 0);
+  await step('first', {}, 10);
+  await step('again', {}, 0);
+  await step('colours', material({ diffuseColor: [0.8, 0.5, 0.3], baseColor: [0, 0.1, 0] }), 0);
+  await step('coefficients', material({ specularCoefficient: 0.3, forwardScatterCoefficient: 0.4 }), 0);
+  await step('falloffs', material({ specularPower: 4, forwardScatterRange: [-0.5, 0.5] }), 0);
+  await step('exposure', { exposure: 1 }, 0);
+  await step('intensity', { lights: [{ ...SUN, intensity: 0.7, color: [1, 0.5, 0.2] }, scene.lights[1]] }, 0);
+  await step('a sun', { lights: [{ ...SUN, azimuth: 300 }, scene.lights[1]] }, 1);
+  const environment = (more) => ({ environment: { ...scene.environment, ...more } });
+  await step('the environment, brighter', environment({ intensity: 0.6 }), 0);
+  // Its lights stay where they are; only their colours are others.
+  await step('the environment, turned', environment({ rotationZ: 50 }), 0);
+  await step('it comes nearer', environment({ radius: 200 }), 8);
+  await step('and leaves', environment({ radius: 'infinite' }), 8);
+  await step('a light fewer', { lights: [scene.lights[0]] }, 0);
+  await step('a texture', { textures: { diffuse: { width: 1, height: 2, data: Float32Array.of(1, 0.5) } } }, 0);
+  await step('another', { textures: { diffuse: { width: 1, height: 2, data: Float32Array.of(0.2, 0.5) } } }, 0);
+  await step('depth', material({ subsurfaceDepth: 2 }), 9);
+  await step('height scale', { heightScale: 0.5 }, 9);
+  await step('response', { response: 'Combined' }, 9);
+  await step('what exact does not look at', { numberOfSteps: 99 }, 0);
   // Lights that show no more are forgotten.
-  step('no diffuse colour', { ...material({ diffuseColor: [0, 0, 0] }), textures: {} }, 0);
+  await step('no diffuse colour', { ...material({ diffuseColor: [0, 0, 0] }), textures: {} }, 0);
   renderer.dispose();
   return checks.wrong;
 }
@@ -336,7 +352,7 @@ export function keptWork()
 //--------------------------------------------------------------------------------------------------
 
 // One message for each thing that can be wrong, and what was there before stays.
-export function errors()
+export async function errors()
 {
   const checks = new Checks();
   checks.throws(() => new ReliefRenderer(null), /gives no WebGL 2/, 'no canvas');
@@ -366,6 +382,7 @@ export function errors()
 
   const renderer = newRenderer(16);
   checks.throws(() => renderer.render(), /setHeights/, 'no heights');
+  checks.throws(() => renderer.bounds, /setHeights/, 'bounds of no heights');
   checks.throws(() => renderer.readPixels(), /no picture/, 'no picture');
   checks.throws(() => renderer.setHeights([1, 2], { width: 2, height: 1 }), /no array of numbers/, 'a plain array');
   checks.throws(() => renderer.setHeights(new Float32Array(5), { width: 2, height: 2 }), /5 heights/, 'too many');
@@ -373,34 +390,30 @@ export function errors()
   checks.throws(() => renderer.setHeights(new Float32Array(4), { width: 2, height: 2, spacing: 0 }), /spacing/,
     'no spacing');
   checks.throws(() => renderer.setHeights(new Float32Array(4), { width: 2, height: 2, rows: 'up' }), /rows/, 'rows');
-  renderer.setHeights(Float32Array.of(3e38, -3e38, 0, 0), { width: 2, height: 2 });
-  checks.throws(() => renderer.render(), /reach from/, 'too much relief');
+  renderer.setHeights(new Float32Array(4), { width: 2, height: 2 });
+  checks.throws(() => renderer.render(), /setScene/, 'no scene');
+  checks.throws(() => renderer.setScene({ lights: [SUN] }), /planScene/, 'a scene that was not planned');
   const long = renderer.gl.getParameter(renderer.gl.MAX_TEXTURE_SIZE) + 1;
   renderer.setHeights(new Float32Array(long), { width: long, height: 1 });
+  await setScene(renderer, {});
   checks.throws(() => renderer.render(), /MAX_TEXTURE_SIZE/, 'too large');
 
+  // What is wrong with a scene is told by the package, before anything is changed.
+  renderer.setHeights(Float32Array.of(3e38, -3e38, 0, 0), { width: 2, height: 2 });
   const scenes = [
-    [{ lightz: [] }, /lightz is not known/], [{ material: { gloss: 1 } }, /material\.gloss/],
-    [{ material: { specularCoefficient: 1.5 } }, /1\.5 was given, a number from 0 to 1/],
-    [{ material: { baseColor: [0, 1] } }, /three numbers/], [{ material: { baseColor: [0, -1, 0] } }, /at least 0/],
-    [{ material: { specularRange: [1, 0] } }, /the first not the larger/], [{ material: 3 }, /object/],
-    [{ tolerance: NaN }, /tolerance/], [{ response: 'Lambert' }, /one of Illumination/],
-    [{ numberOfSteps: 2.5 }, /whole number/], [{ lights: {} }, /array/],
-    [{ lights: [{ kind: 'moon' }] }, /lights\[0\]\.kind/], [{ lights: [{ kind: 'sun', azimuth: 3 }] }, /altitude/],
-    [{ lights: [{ kind: 'point', position: [1, 2] }] }, /three coordinates/],
-    [{ environment: { image: 'clearSky' } }, /environmentLights/],
-    [{ environmentLights: [{ direction: [0, 0, 0] }] }, /vector toward/],
-    [{ textures: { base: { width: 2, height: 2, data: new Uint8Array(3) } } }, /no picture/],
-    [{ textures: { gloss: null } }, /gloss/],
+    [{}, /reach from/, 'too much relief'], [{ tolerance: -1 }, /tolerance/, 'no tolerance'],
+    [{ heightScale: 'auto' }, /fitHeightScale/, 'an automatic scale'],
+    [{ baseTexture: { width: 2, height: 2, data: new Uint8Array(3) } }, /baseTexture/, 'no picture'],
   ];
+  for (const [options, says, text] of scenes)
+  {
+    const error = await planScene(options, renderer.bounds).catch((e) => e);
+    checks.that(error instanceof Error && says.test(error.message), `${text}: ${error.message}`);
+  }
   renderer.setHeights(hills(16), { width: 16, height: 16 });
-  renderer.setScene({ lights: [SUN] });
+  await setScene(renderer, { lights: [SUN] });
   renderer.render();
   const before = renderer.readPixels();
-  for (const [scene, says] of scenes)
-  {
-    checks.throws(() => renderer.setScene(scene), says, JSON.stringify(scene));
-  }
   checks.throws(() => renderer.render({ zoom: 0 }), /zoom/, 'no zoom');
   checks.throws(() => renderer.render({ seconds: -1 }), /seconds/, 'no time');
   renderer.render();
@@ -415,24 +428,23 @@ export function errors()
 //--------------------------------------------------------------------------------------------------
 
 // Coarse pictures come first, and end where a picture that takes its time is at once.
-export function progress()
+export async function progress()
 {
   const checks = new Checks();
   const layout = { width: 160, height: 140 };
   const heights = hills(160, 140);
   const scene = {
     lights: [SUN, { kind: 'point', position: [80, 70, 40], intensity: 0.3 }],
-    environmentLights: Array.from({ length: 14 }, (_, k) =>
-      ({ direction: [Math.sin(2.4 * k), Math.cos(2.4 * k), 0.1 + 0.05 * k], weight: 0.03 })),
+    environment: { image: 'whiteDome', numberOfSamples: 28, intensity: 0.4 },
     material: { subsurfaceDepth: 2, forwardScatterCoefficient: 0.3, specularCoefficient: 0.2 },
   };
-  const whole = afresh(heights, layout, scene);
-  const blended = afresh(heights, layout, scene, {}, { floatBlend: false });
+  const whole = await afresh(heights, layout, scene);
+  const blended = await afresh(heights, layout, scene, {}, { floatBlend: false });
   checks.that(farthest(whole, blended) < 1e-6, 'without blending floats the sums differ');
 
   const renderer = newRenderer(160, 140);
   renderer.setHeights(heights, layout);
-  renderer.setScene(scene);
+  await setScene(renderer, scene);
   const mean = (data) => data.reduce((sum, v) => sum + v, 0) / data.length;
   const first = renderer.render({ seconds: 0.001 });
   checks.that(!first.converged && first.detail < 1 && first.progress < 1, 'the first picture is all');
@@ -454,7 +466,7 @@ export function progress()
   // While a light is dragged one picture follows another.
   for (let k = 1; k < 5; ++k)
   {
-    renderer.setScene({ ...scene, lights: [{ ...SUN, azimuth: 315 + k }, scene.lights[1]] });
+    await setScene(renderer, { ...scene, lights: [{ ...SUN, azimuth: 315 + k }, scene.lights[1]] });
     const state = renderer.render({ seconds: 0.001, moving: true });
     checks.that(state.lightsTraced <= 1 && state.detail < 1, `${state.lightsTraced} lights for a moving one`);
   }
@@ -479,10 +491,14 @@ export function progress()
   const sample = whole.slice(4 * (28 * 160 + 16));
   checks.that(at.length > 0 && sample.length > 0 && Math.abs(at[0] - sample[0]) < 0.2, 'zoomed elsewhere');
   // As bright as can be.
-  renderer.setScene({ ...scene, automaticExposure: true });
+  await setScene(renderer, { ...scene, automaticExposure: true });
   renderer.render();
-  const bright = Math.max(...renderer.readPixels().data.filter((_, k) => k % 4 !== 3));
-  checks.that(bright >= 254, `automatic exposure ends at ${bright}`);
+  const bright = () => Math.max(...renderer.readPixels().data.filter((_, k) => k % 4 !== 3));
+  checks.that(bright() >= 254, `automatic exposure ends at ${bright()}`);
+  // Unless somebody knows better.
+  renderer.setExposure(-3);
+  renderer.render();
+  checks.that(bright() < 150, `an exposure that was set gives ${bright()}`);
   checks.equal(renderer.gl.getError(), 0, 'error of WebGL');
   renderer.dispose();
   return checks.wrong;

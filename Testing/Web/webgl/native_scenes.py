@@ -4,7 +4,7 @@
     native_scenes.py FOLDER
 
 Writes scenes.json, which has the scenes, and for each the heights and the linear colours as raw floats, rows
-from the top; and parameters.json, the table of parameters.
+from the top.
 """
 
 import json
@@ -12,7 +12,7 @@ import os
 import sys
 
 import numpy as np
-from reliefshading import parameters, vtkImageReliefShading, vtkReliefSceneFile
+from reliefshading import vtkImageReliefShading, vtkReliefSceneFile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..",
                                 "Examples", "Python"))
@@ -57,17 +57,6 @@ def lamp(x, y, z, **more):
     return {"kind": "point", "position": [x, y, z], **more}
 
 
-def dome(number, weight):
-    """Directions all over the upper half, as an environment's lights."""
-    lights = []
-    for k in range(number):
-        altitude = float(np.degrees(np.arcsin((k + 0.5) / number)))
-        azimuth = float((k * 137.50776405) % 360.0)
-        color = [round(c, 3) for c in (0.6 + 0.4 * np.cos(k), 0.8, 0.7 + 0.3 * np.sin(k))]
-        lights.append({"azimuth": azimuth, "altitude": altitude, "color": color, "weight": weight})
-    return lights
-
-
 def picture(seed, columns, rows, components, encoded):
     rng = np.random.default_rng(seed)
     coarse = rng.uniform(0.0, 1.0, (rows // 4 + 2, columns // 4 + 2, components))
@@ -75,10 +64,9 @@ def picture(seed, columns, rows, components, encoded):
     return (texels * 255).astype(np.uint8) if encoded else texels.astype(np.float32)
 
 
-def scene(name, heights, spacing=1.0, environment=None, textures=None, **description):
+def scene(name, heights, spacing=1.0, textures=None, **description):
     spacing = spacing if isinstance(spacing, tuple) else (spacing, spacing)
-    return {"name": name, "heights": heights, "spacing": spacing, "environment": environment,
-            "textures": textures or {}, "scene": {"reliefScene": 1, **description}}
+    return {"name": name, "heights": heights, "spacing": spacing, "textures": textures or {}, "scene": {"reliefScene": 1, **description}}
 
 
 def scenes():
@@ -110,8 +98,12 @@ def scenes():
     yield scene("holes", with_holes(hills), lights=[sun(250.0, 20.0), lamp(50.0, 40.0, 60.0)], material=soft)
     yield scene("steps and unequal spacing", steps(hills), (2.0, 0.7), heightScale=0.6, lights=[sun(10.0, 25.0)])
     yield scene("sun's disc", hills, lights=[sun(altitude=25.0, angularDiameter=10.0)], numberOfSunSamples=12)
-    yield scene("environment", hills, environment=dome(40, 0.05), lights=[sun(intensity=0.5)],
+    sky = {"image": "clearSky", "azimuth": 100.0, "altitude": 30.0, "numberOfSamples": 40, "intensity": 0.2}
+    yield scene("environment", hills, environment=sky, lights=[sun(intensity=0.5)],
                 material={**soft, **scatter, **shine, "offsetMode": "TangentPlane"})
+    yield scene("environment, turned and nearby", hills,
+                environment={**sky, "rotationZ": 70.0, "tilt": 20.0, "radius": 90.0, "sampling": "Importance"},
+                material={**soft, **scatter})
     yield scene("textures", hills, lights=[sun(intensity=0.8)],
                 textures={"base": picture(3, 40, 30, 4, True), "diffuse": picture(4, COLUMNS, ROWS, 3, True),
                           "specular": picture(5, 61, 47, 1, False)},
@@ -125,12 +117,8 @@ def scenes():
 
 
 def shade(case):
-    description = json.loads(json.dumps(case["scene"]))
-    for light in case["environment"] or []:
-        description.setdefault("lights", []).append(
-            sun(light["azimuth"], light["altitude"], color=light["color"], intensity=light["weight"]))
     file = vtkReliefSceneFile()
-    if not file.FromText(json.dumps(description)):
+    if not file.FromText(json.dumps(case["scene"])):
         sys.exit(f"{case['name']}: the scene cannot be read")
     result = vtkImageReliefShading()
     image = to_image(case["heights"], case["spacing"])
@@ -144,12 +132,6 @@ def shade(case):
     return from_image(result.GetOutput()).astype(np.float32)
 
 
-def toward(light):
-    azimuth, altitude = np.radians((light["azimuth"], light["altitude"]))
-    return [float(np.sin(azimuth) * np.cos(altitude)), float(np.cos(azimuth) * np.cos(altitude)),
-            float(np.sin(altitude))]
-
-
 def main(folder):
     os.makedirs(folder, exist_ok=True)
     index = []
@@ -159,21 +141,12 @@ def main(folder):
             array.tofile(os.path.join(folder, name))
             return {"file": name, "width": int(array.shape[1]), "height": int(array.shape[0]),
                     "components": int(array.shape[2]) if array.ndim == 3 else 1, "type": str(array.dtype)}
-        description = dict(case["scene"])
-        if case["environment"]:
-            description["environmentLights"] = [
-                {"direction": toward(light), "color": light["color"], "weight": light["weight"]}
-                for light in case["environment"]]
         index.append({
-            "name": case["name"], "spacing": case["spacing"], "scene": description,
+            "name": case["name"], "spacing": case["spacing"], "scene": case["scene"],
             "heights": write("heights", case["heights"]), "colors": write("colors", shade(case)),
             "textures": {name: write(name, texels) for name, texels in case["textures"].items()}})
     with open(os.path.join(folder, "scenes.json"), "w", encoding="utf-8") as file:
         json.dump(index, file, indent=1)
-    table = [{key: None if value in (np.inf, -np.inf) else value for key, value in row.items()}
-             for row in parameters()]
-    with open(os.path.join(folder, "parameters.json"), "w", encoding="utf-8") as file:
-        json.dump(table, file, indent=1)
     print(f"{len(index)} scenes in {folder}")
 
 

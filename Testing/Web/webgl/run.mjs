@@ -2,7 +2,7 @@
 //
 // Tests of the WebGL host in a headless browser.
 //
-//     node run.mjs TEST --modules FOLDER --data FOLDER --browser FOLDER --chromium FILE
+//     node run.mjs TEST --modules FOLDER --package FOLDER --data FOLDER --browser FOLDER --chromium FILE
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
@@ -50,13 +50,13 @@ const tests = {
 const { values, positionals } = parseArgs({
   allowPositionals: true,
   options: {
-    modules: { type: 'string' }, data: { type: 'string' }, browser: { type: 'string' },
+    modules: { type: 'string' }, package: { type: 'string' }, data: { type: 'string' }, browser: { type: 'string' },
     chromium: { type: 'string' },
   },
 });
 const browser = await launch(values.browser, values.chromium);
 const folder = path.dirname(fileURLToPath(import.meta.url));
-const server = await serve({ modules: values.modules, data: values.data, tests: folder });
+const server = await serve({ modules: values.modules, package: values.package, data: values.data, tests: folder });
 let failed = false;
 try
 {
