@@ -89,13 +89,14 @@ export class Gestures {
       return { what: "turn", at, environment: page.state.scene.environment };
     }
     const nearest = page.dots.near(at);
+    const press = { what: "press", at, slop: slop[event.pointerType] ?? slop.mouse };
     if (nearest === null) {
-      return { what: "press", at, slop: slop[event.pointerType] ?? slop.mouse };
+      return press;
     }
     if (nearest !== page.state.selected) {
       page.select(nearest);
     }
-    return { what: "light", grip: minus(placeOfLight(this.light, page.field), page.view.toShare(at)) };
+    return { ...press, grip: minus(placeOfLight(this.light, page.field), page.view.toShare(at)) };
   }
 
   move(event) {
@@ -106,7 +107,8 @@ export class Gestures {
     const at = this.placeOf(event);
     const { page, action } = this;
     if (action.what === "press" && apart(at, action.at) > action.slop) {
-      this.action = page.view.isWhole ? { what: "light", grip: [0, 0] } : { what: "pan" };
+      const ofLight = action.grip || page.view.isWhole;
+      this.action = ofLight ? { what: "light", grip: action.grip ?? [0, 0] } : { what: "pan" };
     }
     switch (this.action.what) {
       case "light":
@@ -151,16 +153,16 @@ export class Gestures {
     this.action = null;
     this.frame.classList.remove("dragging");
     if (action.what === "press" && meant) {
-      this.tap(action.at);
+      this.tap(action, event.timeStamp / 1000);
     } else {
       this.page.endGesture();
     }
   }
 
-  // The light comes there. A second tap shows the whole relief and takes back what the first one did.
-  tap(at) {
+  // The light comes there, unless it is there. A second tap shows the whole relief and takes back what the first
+  // one did.
+  tap({ at, grip }, now) {
     const { page, lastTap } = this;
-    const now = performance.now() / 1000;
     const second =
       lastTap && now - lastTap.time < doubleTap.seconds && apart(at, lastTap.at) < doubleTap.pixels;
     if (second && !page.view.isWhole) {
@@ -172,7 +174,9 @@ export class Gestures {
       return;
     }
     page.endGesture();
-    this.dragLight(at, [0, 0], "tap");
+    if (!grip) {
+      this.dragLight(at, [0, 0], "tap");
+    }
     this.lastTap = { time: now, at, state: page.history.state };
   }
 

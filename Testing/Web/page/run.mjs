@@ -150,11 +150,26 @@ async function downloadBy(page, button)
   return file;
 }
 
+// Where the relief is: at(u, v) is a place on it, as a share from the left and from the top.
 const centre = async (page) =>
 {
   const box = await page.locator('#frame').boundingBox();
-  return { ...box, at: (u, v) => [box.x + u * box.width, box.y + v * box.height] };
+  const [[left, top], [width, height]] = await page.evaluate(() =>
+  {
+    const { view } = globalThis.reliefPage;
+    return [view.toPixels([0, 0]), view.size];
+  });
+  const [x, y] = [box.x + left, box.y + top];
+  return { x, y, width, height, at: (u, v) => [x + u * width, y + v * height] };
 };
+
+const viewOf = (page) => page.evaluate(() =>
+{
+  const { zoom, center } = globalThis.reliefPage.view;
+  return { zoom, center: [...center] };
+});
+
+const near = (a, b, most) => a.every((c, k) => Math.abs(c - b[k]) <= most);
 
 async function finish(page)
 {
@@ -235,6 +250,174 @@ const tests = {
     }
     assert.ok(reached.size === 12 && !reached.has('no outline'), [...reached].join(' '));
     await finish(page);
+  },
+
+  // The picture enlarged and moved, by mouse, fingers, keys and buttons; the light goes its own ways.
+  async View()
+  {
+    for (const query of ['?host=webgl', '?host=wasm'])
+    {
+      const page = await open({ hasTouch: true, query });
+      await openHeights(page, 'hills.png', heights16);
+      await page.check('text=Point >> input');
+      await pictureOf(page);
+      const scene = async () => JSON.stringify(await sceneOf(page));
+      const lightAt = async () =>
+      {
+        const [x, y] = (await sceneOf(page)).lights[0].position;
+        return [(x + 0.5) / COLUMNS, 1 - (y + 0.5) / ROWS];
+      };
+      const drag = async (from, to, button = 'left') =>
+      {
+        await page.mouse.move(...from);
+        await page.mouse.down({ button });
+        for (let k = 1; k <= 4; ++k)
+        {
+          await page.mouse.move(...from.map((c, axis) => c + ((to[axis] - c) * k) / 4));
+        }
+        await page.mouse.up({ button });
+      };
+      await page.mouse.click(...(await centre(page)).at(0.5, 0.5));
+      await page.waitForTimeout(400); // or it were half of a double click
+      let before = await scene();
+      const unmoved = async (what) => assert.equal(await scene(), before, `${what} changes the scene`);
+      const share = (point) => page.evaluate(([x, y]) =>
+      {
+        const { left, top } = document.querySelector('#frame').getBoundingClientRect();
+        return globalThis.reliefPage.view.toShare([x - left, y - top]);
+      }, point);
+
+      // The wheel enlarges about the pointer, once the relief fills the room.
+      const pointer = (await centre(page)).at(0.3, 0.4);
+      await page.mouse.move(...pointer);
+      const turn = async (times, least) =>
+      {
+        for (let k = 0; k < times; ++k)
+        {
+          await page.mouse.wheel(0, -120);
+        }
+        await page.waitForFunction((zoom) => globalThis.reliefPage.view.zoom > zoom, least);
+      };
+      await turn(6, 4);
+      const place = await share(pointer);
+      await turn(2, 6);
+      assert.ok(near(await share(pointer), place, 1e-3), 'the place under the pointer has gone');
+      await unmoved('the wheel');
+      // Samples are shown where they are.
+      await settled(page);
+      const worst = await page.evaluate(async () =>
+      {
+        const { picture, view, field } = globalThis.reliefPage;
+        const { data } = await globalThis.reliefPage.exact();
+        const { canvas } = picture;
+        const shown = picture.host.renderer?.readPixels().data ??
+          canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+        let most = 0;
+        let count = 0;
+        for (let j = 0; j < field.height; ++j)
+        {
+          for (let i = 0; i < field.width; ++i)
+          {
+            const at = view.toPixels([(i + 0.5) / field.width, (j + 0.5) / field.height])
+              .map((c, k) => Math.floor((c * [canvas.width, canvas.height][k]) / view.room[k]));
+            if (at[0] > 1 && at[1] > 1 && at[0] < canvas.width - 2 && at[1] < canvas.height - 2)
+            {
+              const k = 4 * (at[1] * canvas.width + at[0]);
+              most = Math.max(most, Math.abs(shown[k] - data[4 * (j * field.width + i)]));
+              ++count;
+            }
+          }
+        }
+        return count > 50 ? most : `${count} samples are seen`;
+      });
+      assert.ok(worst <= 12, `${query}: what is enlarged is off by ${worst} of 255`);
+
+      // Dragging beside the dot moves the picture, and so do the middle button and the space bar, wherever they are.
+      const frame = await page.locator('#frame').boundingBox();
+      const middle = [frame.x + frame.width / 2, frame.y + frame.height / 2];
+      const moves = async (what, body, by) =>
+      {
+        const place = await share(middle);
+        await body();
+        assert.ok(near(await share(middle.map((c, k) => c + by[k])), place, 1e-3), `${what} does not move the picture`);
+        await unmoved(what);
+      };
+      await moves('dragging', () => drag(middle, [middle[0] + 40, middle[1] - 30]), [40, -30]);
+      await moves('the middle button', () => drag(middle, [middle[0] - 20, middle[1] + 30], 'middle'), [-20, 30]);
+      await page.focus('#frame');
+      await page.keyboard.down(' ');
+      await moves('the space bar', () => drag(middle, [middle[0] + 25, middle[1] + 15]), [25, 15]);
+      await page.keyboard.up(' ');
+
+      // A dot is dragged at any size.
+      await page.evaluate(() =>
+      {
+        const { view } = globalThis.reliefPage;
+        view.goTo(view.zoom, [0.5, 0.5]);
+        view.onChange();
+      });
+      const target = [middle[0] + 60, middle[1] + 50];
+      const view = await viewOf(page);
+      const goal = await share(target);
+      await drag((await centre(page)).at(...(await lightAt())), target);
+      assert.ok(near(await lightAt(), goal, 0.01), `the light is at ${await lightAt()}, not at ${goal}`);
+      assert.deepEqual(await viewOf(page), view);
+      before = await scene();
+
+      // Keys and buttons.
+      await page.keyboard.press('+');
+      assert.ok((await viewOf(page)).zoom > view.zoom);
+      const { center } = await viewOf(page);
+      await page.keyboard.press('Control+ArrowRight');
+      assert.ok((await viewOf(page)).center[0] > center[0]);
+      await page.keyboard.press('-');
+      await page.keyboard.press('0');
+      assert.deepEqual(await viewOf(page), { zoom: 1, center: [0.5, 0.5] });
+      assert.ok(await page.isDisabled('#smaller') && await page.isDisabled('#fit'));
+      await page.getByLabel('Larger').click();
+      assert.equal((await viewOf(page)).zoom, 1.5);
+      assert.match(await page.textContent('#readout'), /zoom 150 %/);
+      await page.getByLabel('The whole relief', { exact: true }).click();
+      assert.equal((await viewOf(page)).zoom, 1);
+      await unmoved('a key');
+
+      // Two fingers.
+      const session = await page.context().newCDPSession(page);
+      const touch = (type, ...points) => session.send('Input.dispatchTouchEvent',
+        { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+      const [a, b] = [[middle[0] - 30, middle[1]], [middle[0] + 30, middle[1]]];
+      await touch('touchStart', a);
+      await touch('touchStart', a, b);
+      for (let k = 1; k <= 6; ++k)
+      {
+        await touch('touchMove', [a[0] - 10 * k, a[1]], [b[0] + 10 * k, b[1]]);
+      }
+      await touch('touchEnd');
+      await page.waitForFunction(() => globalThis.reliefPage.view.zoom > 2.5);
+      assert.ok(Math.abs((await viewOf(page)).zoom - 3) < 0.1, 'the fingers are three times as far apart');
+      await unmoved('pinching');
+      // A tap brings the light; a second one right after it takes that back and shows the whole.
+      const taps = (times, point) => Promise.all(Array.from({ length: times }, () =>
+        [touch('touchStart', point), touch('touchEnd')]).flat());
+      await taps(1, a);
+      assert.ok(near(await lightAt(), await share(a), 0.01));
+      before = await scene();
+      await page.waitForTimeout(400);
+      await taps(2, b);
+      assert.equal((await viewOf(page)).zoom, 1);
+      await unmoved('a double tap');
+      await page.evaluate(() => globalThis.reliefPage.view.zoomBy(4));
+      await page.mouse.dblclick(middle[0] + 50, middle[1] + 40);
+      assert.equal((await viewOf(page)).zoom, 1);
+      await unmoved('a double click');
+      // Shift and the wheel raise the lamp.
+      await page.keyboard.down('Shift');
+      await page.mouse.wheel(0, -120);
+      await page.keyboard.up('Shift');
+      await page.waitForFunction((old) => JSON.stringify(globalThis.reliefPage.state.scene) !== old, before);
+      assert.equal((await viewOf(page)).zoom, 1);
+      await finish(page);
+    }
   },
 
   // Each slider, number, list, colour and box changes the scene, and can be taken back.
