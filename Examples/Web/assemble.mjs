@@ -2,7 +2,7 @@
 //
 // Puts the page together in one folder:
 //
-//     node assemble.mjs SOURCE PACKAGE WEBGL NODE_MODULES TERRAIN OUTPUT
+//     node assemble.mjs SOURCE PACKAGE WEBGL NODE_MODULES TERRAIN FIGURE OUTPUT
 
 import {
   copyFileSync,
@@ -20,7 +20,7 @@ import { pathToFileURL } from "node:url";
 import { metresOfDegree } from "./geodesy.js";
 import { medallionHeights } from "./medallion.mjs";
 
-const [source, packageFolder, webgl, modules, terrainFile, output] = process.argv.slice(2);
+const [source, packageFolder, webgl, modules, terrainFile, figureFile, output] = process.argv.slice(2);
 
 const pageFiles = [
   "index.html",
@@ -29,6 +29,7 @@ const pageFiles = [
   "history.js",
   "scene.js",
   "geodesy.js",
+  "hdr.js",
   "files.js",
   "files.worker.js",
   "picture.js",
@@ -69,6 +70,19 @@ function copyLibrary(name, folder, depth = "../") {
   copy("");
 }
 
+// Two loaders of three.js, and what they need of it.
+function copyLoaders() {
+  const folder = join(output, "libraries", "three");
+  mkdirSync(folder, { recursive: true });
+  copyFileSync(join(modules, "three", "build", "three.core.js"), join(folder, "three.core.js"));
+  for (const name of ["EXRLoader.js", "HDRLoader.js"]) {
+    const text = readFileSync(join(modules, "three", "examples", "jsm", "loaders", name), "utf8")
+      .replace(/(\bfrom\s*)'three'/, "$1'./three.core.js'")
+      .replace(/(\bfrom\s*)'\.\.\/libs\/fflate\.module\.js'/, `$1'../${entries.fflate}'`);
+    writeFileSync(join(folder, name), text);
+  }
+}
+
 function copyLibraries() {
   Object.entries(libraries).forEach(([name, folder]) => copyLibrary(name, folder));
   mkdirSync(join(output, "libraries", "geotiff"), { recursive: true });
@@ -77,6 +91,7 @@ function copyLibraries() {
     join(output, "libraries", "geotiff", "geotiff.js"),
     text.replace(/^\/\/# sourceMappingURL=.*$/m, ""),
   );
+  copyLoaders();
   // geotiff.js has its own dependencies in it.
   const parts = readdirSync(modules).flatMap((name) =>
     name.startsWith(".")
@@ -96,6 +111,17 @@ function copyLibraries() {
 
 //--------------------------------------------------------------------------------------------------
 // The examples, as 16-bit PNG.
+
+// The figure's heights, white is 65535, and its spacing and scale in centimetres; it is 20 cm wide.
+function readFigure() {
+  const bytes = readFileSync(figureFile);
+  const head = /^P5\n# (\S+) (\S+)\n(\d+) (\d+)\n65535\n/.exec(bytes.toString("latin1", 0, 200));
+  const [spacing, top, width, height] = head.slice(1).map(Number);
+  const at = head[0].length;
+  const data = Uint16Array.from({ length: width * height }, (_, k) => bytes.readUInt16BE(at + 2 * k));
+  const centimetres = (value) => Number((10 * value).toPrecision(6));
+  return { data, width, height, spacing: centimetres(spacing), scale: centimetres(top / 65535) };
+}
 
 async function writeExamples() {
   const { encode } = await import(pathToFileURL(join(modules, "fast-png", "lib", "index.js")));
@@ -133,6 +159,9 @@ async function writeExamples() {
   const corner = (sample * (1 - size)) / 2;
   const medal = { lengths: false, spacing: [sample, sample], origin: [corner, corner] };
 
+  const figure = readFigure();
+  write("owl.png", figure.data, figure.width, figure.height);
+
   const examples = [
     {
       name: "medallion",
@@ -163,6 +192,20 @@ async function writeExamples() {
           { kind: "sun", azimuth: 315, altitude: 25, color: [1, 0.85, 0.65] },
           { kind: "sun", azimuth: 120, altitude: 50, color: [0.2, 0.5, 0.7], intensity: 0.6 },
         ],
+      },
+    },
+    {
+      name: "owl",
+      label: "Owl",
+      file: "owl.png",
+      field: { lengths: false, spacing: [figure.spacing, figure.spacing], origin: [0, 0] },
+      scene: {
+        heightScale: figure.scale,
+        subsurfaceDepth: 1,
+        baseColor: [0.03, 0.02, 0.015],
+        diffuseColor: [0.75, 0.62, 0.45],
+        lights: [{ kind: "sun", azimuth: 300, altitude: 35, color: [1, 0.95, 0.85] }],
+        environment: { image: "whiteDome", intensity: 0.2, numberOfSamples: 32 },
       },
     },
     {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads and writes files away from the page: heights and pictures from PNG and TIFF by libraries, from all
-// else by the browser; pictures as PNG.
+// Reads and writes files away from the page: heights and pictures from PNG, TIFF, OpenEXR and Radiance's by
+// libraries, from all else by the browser; pictures as PNG.
 
 import { metresOfDegree } from "./geodesy.js";
+import { isExr, isRadiance, readExr, readRadiance } from "./hdr.js";
 import { convertIndexedToRgb, decode, encode } from "./libraries/fast-png/index.js";
-import "./libraries/geotiff/geotiff.js";
 
-const { GeoTIFF } = self;
 const most = 2 ** 26; // samples
 
 class Refusal extends Error {}
@@ -58,7 +57,8 @@ function placeOf(image, height) {
 }
 
 async function readTiff(bytes) {
-  const tiff = await GeoTIFF.fromArrayBuffer(bytes.buffer);
+  await import("./libraries/geotiff/geotiff.js"); // a script, which makes GeoTIFF
+  const tiff = await self.GeoTIFF.fromArrayBuffer(bytes.buffer);
   const image = await tiff.getImage();
   const [width, height] = [image.getWidth(), image.getHeight()];
   checkSize(width, height);
@@ -77,19 +77,25 @@ async function readByBrowser(bytes) {
   return { data: context.getImageData(0, 0, width, height).data, width, height, channels: 4 };
 }
 
+const kinds = [
+  { is: isPng, name: "PNG", read: readPng },
+  { is: isTiff, name: "TIFF", read: readTiff },
+  { is: isExr, name: "OpenEXR", read: (bytes) => readExr(bytes, checkSize) },
+  { is: isRadiance, name: "Radiance picture", read: (bytes) => readRadiance(bytes, checkSize) },
+];
+
 async function read(name, buffer) {
   const bytes = new Uint8Array(buffer);
-  const reader = isPng(bytes) ? readPng : isTiff(bytes) ? readTiff : readByBrowser;
+  const kind = kinds.find(({ is }) => is(bytes));
   try {
-    return await reader(bytes);
+    return await (kind ? kind.read : readByBrowser)(bytes);
   } catch (error) {
-    const kind = isPng(bytes) ? "PNG" : isTiff(bytes) ? "TIFF" : null;
     const why =
       error instanceof Refusal
         ? error.message
         : kind
-          ? `the ${kind} is damaged, cut short or of a kind that is not read here`
-          : "it is no picture that this browser reads (PNG, TIFF, JPEG …)";
+          ? `the ${kind.name} is damaged, cut short or of a kind that is not read here`
+          : "it is no picture that this browser reads (PNG, TIFF, OpenEXR, JPEG …)";
     throw new Refusal(`“${name}” cannot be opened: ${why}.`);
   }
 }

@@ -24,7 +24,7 @@ import { View } from "./view.js";
 
 const find = (selector) => document.querySelector(selector);
 const noImages = { base: null, diffuse: null, specular: null, mask: null, environment: null };
-const heightFiles = ".png,.tif,.tiff,.jpg,.jpeg,.webp,.bmp,image/*";
+const pictureFiles = ".png,.tif,.tiff,.exr,.hdr,.jpg,.jpeg,.webp,.bmp,image/*";
 const mostPixels = 2048; // along a side of the canvas
 
 /** The least and the greatest height. */
@@ -78,7 +78,7 @@ class Page {
     list.append(make("option", { value: "", textContent: "Own file", disabled: true }));
     list.addEventListener("change", () => this.guard(() => this.openExample(list.value)));
     find("#open").addEventListener("click", () =>
-      choose(heightFiles, (file) => this.guard(() => this.open(file, "heights"))),
+      choose(pictureFiles, (file) => this.guard(() => this.open(file, "heights"))),
     );
     find("#undo").addEventListener("click", () => this.history.undo());
     find("#redo").addEventListener("click", () => this.history.redo());
@@ -285,6 +285,14 @@ class Page {
     this.history.change({ ...this.state, scene: { ...scene, lights }, selected: Math.max(selected - 1, 0) });
   }
 
+  applyPreset(name) {
+    return this.guard(async () => {
+      const { scene, images } = this.state;
+      const next = await withPreset(scene, name);
+      this.history.change({ scene: next, selected: 0, images: { ...images, environment: null } });
+    });
+  }
+
   setEnvironment(environment) {
     const { environment: before, ...scene } = this.state.scene;
     this.history.change({ ...this.state, scene: environment ? { ...scene, environment } : scene });
@@ -313,7 +321,7 @@ class Page {
   }
 
   chooseImage(role) {
-    choose(heightFiles, (file) => this.guard(() => this.open(file, role)));
+    choose(pictureFiles, (file) => this.guard(() => this.open(file, role)));
   }
 
   removeImage(role) {

@@ -17,8 +17,17 @@ import {
   wide,
 } from "./controls.js";
 import { extentOf, middleHeight, otherKind } from "./lights.js";
+import { presetNames } from "./reliefshading/index.js";
 import { colorToHex, hexToColor, rowOf, usualOf } from "./scene.js";
 
+const presetHelp = {
+  default: "One sun in the north-west",
+  multidirectional: "A sun from each of four sides",
+  "sky-dome": "A sky that is white all over",
+  "sun-and-sky": "A sun and the clear sky about it",
+  combined: "A sun, with slopes darkened by their steepness",
+  igor: "Light by aspect and slope alone, soft and without shadows",
+};
 const capital = (word) => word[0].toUpperCase() + word.slice(1).replaceAll("-", " ");
 
 export class Panel {
@@ -29,6 +38,7 @@ export class Panel {
     this.ranges = []; // and those that the field decides the ends of
     form.addEventListener("submit", (event) => event.preventDefault());
     form.append(
+      this.presetSection(),
       this.lightSection(),
       this.reliefSection(),
       this.colorSection(),
@@ -174,6 +184,18 @@ export class Panel {
   light() {
     const { scene, selected } = this.page.state;
     return scene.lights[selected];
+  }
+
+  presetSection() {
+    const group = wide(
+      ...["default", ...presetNames.filter((name) => name !== "default")].map((name) =>
+        button(capital(name), `${presetHelp[name]}, in place of the lights`, () => this.page.applyPreset(name)),
+      ),
+    );
+    group.setAttribute("role", "group");
+    group.setAttribute("aria-label", "Ways to light");
+    group.classList.add("alone");
+    return section("Ways to light", group);
   }
 
   lightSection() {
@@ -426,6 +448,24 @@ export class Panel {
       title: "Dragging over the picture, and arrow keys, turn the environment instead of moving a light",
       onChange: (checked) => page.setTurning(checked),
     });
+    const radius = rowOf("environment", "radius");
+    const far = check({
+      label: "Infinitely far away",
+      title: titleOf(radius),
+      onChange: (checked) =>
+        page.changeEnvironment({ radius: checked ? usualOf(radius) : 2 * Math.max(...extentOf(page.field)) }),
+    });
+    const distance = slider({
+      label: "Radius",
+      title: titleOf(radius, "length"),
+      range: [0, 1, 2],
+      onInput: (value) => page.changeEnvironment({ radius: value }, "radius"),
+      onEnd: this.onEnd(),
+    });
+    this.ranges.push(() => {
+      const length = Math.max(...extentOf(page.field));
+      distance.setRange(length / 10, 10 * length);
+    });
     const sky = slider({
       label: "Sun's altitude",
       title: "Altitude of the sun in the clear sky, which is without its disc, in degrees.",
@@ -443,6 +483,8 @@ export class Panel {
       number("rotationZ"),
       number("tilt"),
       number("numberOfSamples"),
+      far.element,
+      distance.element,
       turning.element,
     ];
     this.shows.push(() => {
@@ -453,6 +495,10 @@ export class Panel {
       rows[1].hidden = given?.image !== "file";
       rows[2].hidden = given?.image !== "clearSky";
       sky.show(given?.altitude ?? 45);
+      const infinite = typeof (given?.radius ?? usualOf(radius)) !== "number";
+      far.show(infinite);
+      distance.element.hidden = given === null || infinite;
+      distance.show(infinite ? 0 : given.radius);
       turning.show(page.turning);
     });
     return section("Environment", on.element, ...rows);
