@@ -201,11 +201,11 @@ async function writeExamples() {
       field: { lengths: false, spacing: [figure.spacing, figure.spacing], origin: [0, 0] },
       scene: {
         heightScale: figure.scale,
-        subsurfaceDepth: 1,
-        baseColor: [0.03, 0.02, 0.015],
-        diffuseColor: [0.75, 0.62, 0.45],
-        lights: [{ kind: "sun", azimuth: 300, altitude: 35, color: [1, 0.95, 0.85] }],
-        environment: { image: "whiteDome", intensity: 0.2, numberOfSamples: 32 },
+        subsurfaceDepth: 0.3,
+        baseColor: [0.02, 0.012, 0.01],
+        diffuseColor: [0.7, 0.56, 0.38],
+        lights: [{ kind: "sun", azimuth: 300, altitude: 32, color: [1, 0.93, 0.8], intensity: 0.85 }],
+        environment: { image: "whiteDome", intensity: 0.15, numberOfSamples: 32 },
       },
     },
     {

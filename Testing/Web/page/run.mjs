@@ -75,6 +75,68 @@ function floatTiff()
   return Buffer.concat([head, doubles, Buffer.from(data.buffer)]);
 }
 
+// A panorama, floats of red, green and blue from the top: a bright place in the east, a dim one in the south-west.
+const AROUND = [32, 16];
+const panorama = Float32Array.from({ length: 3 * AROUND[0] * AROUND[1] }, (_, k) =>
+{
+  const [i, j, c] = [Math.floor(k / 3) % AROUND[0], Math.floor(k / 3 / AROUND[0]), k % 3];
+  return 0.1 + (i < 4 && j < 7 ? [9, 5, 2][c] : 0) + (i > 18 && i < 23 && j > 2 && j < 8 ? [0.5, 1, 2][c] : 0);
+});
+
+// An OpenEXR file of scanlines that are not compressed, its channels as it has them, in the order of their names.
+function exrOf(values, [columns, rows], names)
+{
+  const text = (string) => Buffer.from(`${string}\0`, 'latin1');
+  const ints = (...numbers) => Buffer.from(Int32Array.from(numbers).buffer);
+  const attribute = (name, type, ...parts) =>
+  {
+    const value = Buffer.concat(parts);
+    return Buffer.concat([text(name), text(type), ints(value.length), value]);
+  };
+  const channels = names.flatMap((name) => [text(name), ints(2, 0, 1, 1)]);
+  const box = ints(0, 0, columns - 1, rows - 1);
+  const head = Buffer.concat([Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0]),
+    attribute('channels', 'chlist', ...channels, Buffer.from([0])), attribute('compression', 'compression', Buffer.from([0])),
+    attribute('dataWindow', 'box2i', box), attribute('displayWindow', 'box2i', box),
+    attribute('lineOrder', 'lineOrder', Buffer.from([0])),
+    attribute('pixelAspectRatio', 'float', Buffer.from(Float32Array.of(1).buffer)),
+    attribute('screenWindowCenter', 'v2f', Buffer.from(Float32Array.of(0, 0).buffer)),
+    attribute('screenWindowWidth', 'float', Buffer.from(Float32Array.of(1).buffer)), Buffer.from([0])]);
+  const size = names.length * columns * 4;
+  const offsets = Buffer.alloc(8 * rows);
+  const lines = [];
+  for (let j = 0; j < rows; ++j)
+  {
+    offsets.writeBigUInt64LE(BigInt(head.length + 8 * rows + j * (size + 8)), 8 * j);
+    // Blue comes before green and red.
+    const planes = names.map((_, c) => Buffer.from(Float32Array.from({ length: columns }, (__, i) =>
+      values[names.length * (j * columns + i) + names.length - 1 - c]).buffer));
+    lines.push(ints(j, size), ...planes);
+  }
+  return Buffer.concat([head, offsets, ...lines]);
+}
+
+// A Radiance picture without repetitions, of half the values, which its exposure makes up for.
+function radianceOf(values, [columns, rows])
+{
+  const head = Buffer.from(`#?RADIANCE\nEXPOSURE=0.5\nFORMAT=32-bit_rle_rgbe\n\n-Y ${rows} +X ${columns}\n`, 'latin1');
+  const lines = [];
+  for (let j = 0; j < rows; ++j)
+  {
+    const planes = [0, 1, 2, 3].map(() => Buffer.alloc(columns));
+    for (let i = 0; i < columns; ++i)
+    {
+      const color = [0, 1, 2].map((c) => values[3 * (j * columns + i) + c] / 2);
+      const exponent = Math.floor(Math.log2(Math.max(...color))) + 1;
+      color.forEach((value, c) => { planes[c][i] = Math.floor((value / 2 ** exponent) * 256); });
+      planes[3][i] = exponent + 128;
+    }
+    lines.push(Buffer.from([2, 2, columns >> 8, columns & 255]),
+      ...planes.flatMap((plane) => [Buffer.from([columns]), plane]));
+  }
+  return Buffer.concat([head, ...lines]);
+}
+
 //--------------------------------------------------------------------------------------------------
 // The page, with no other address to be reached.
 
@@ -170,6 +232,32 @@ const viewOf = (page) => page.evaluate(() =>
 });
 
 const near = (a, b, most) => a.every((c, k) => Math.abs(c - b[k]) <= most);
+
+// Whether what the page has saved is what reliefshade makes of heights and scene.
+function compareWithNative(field, scene, saved)
+{
+  if (!values.reliefshade)
+  {
+    console.log('reliefshade is not there to be compared with');
+    return;
+  }
+  const native = path.join(values.output, `native-${positionals[0]}.png`);
+  const result = spawnSync(values.reliefshade, [field, native, '--scene', scene], { encoding: 'utf8' });
+  assert.equal(result.status, 0, result.stderr);
+  const made = decode(fs.readFileSync(native));
+  assert.deepEqual([made.width, made.height, made.depth], [COLUMNS, ROWS, 8]);
+  let worst = 0;
+  for (let k = 0; k < COLUMNS * ROWS; ++k)
+  {
+    for (let c = 0; c < 3; ++c)
+    {
+      const of = (image) => image.data[image.channels * k + Math.min(c, image.channels - 1)];
+      worst = Math.max(worst, Math.abs(of(saved) - of(made)));
+    }
+  }
+  console.log(`the saved picture and that of reliefshade --scene differ by ${worst} of 255 at most`);
+  assert.ok(worst <= 2, `${worst} of 255`);
+}
 
 async function finish(page)
 {
@@ -542,29 +630,7 @@ const tests = {
     const picture = await downloadBy(page, 'Save picture');
     const saved = decode(fs.readFileSync(picture));
     assert.deepEqual([saved.width, saved.height, saved.depth], [COLUMNS, ROWS, 8]);
-    if (values.reliefshade)
-    {
-      const native = path.join(values.output, 'native.png');
-      const result = spawnSync(values.reliefshade, [field, native, '--scene', scene], { encoding: 'utf8' });
-      assert.equal(result.status, 0, result.stderr);
-      const made = decode(fs.readFileSync(native));
-      assert.deepEqual([made.width, made.height, made.depth], [COLUMNS, ROWS, 8]);
-      let worst = 0;
-      for (let k = 0; k < COLUMNS * ROWS; ++k)
-      {
-        for (let c = 0; c < 3; ++c)
-        {
-          const of = (image) => image.data[image.channels * k + Math.min(c, image.channels - 1)];
-          worst = Math.max(worst, Math.abs(of(saved) - of(made)));
-        }
-      }
-      console.log(`the saved picture and that of reliefshade --scene differ by ${worst} of 255 at most`);
-      assert.ok(worst <= 2, `${worst} of 255`);
-    }
-    else
-    {
-      console.log('reliefshade is not there to be compared with');
-    }
+    compareWithNative(field, scene, saved);
     const { worst, share } = await page.evaluate(() => globalThis.reliefPage.compare());
     console.log(`what is shown and the exact sums differ by ${worst} of 255 at most, ${100 * share} % by more than 2`);
     assert.ok(share <= 1e-3, `${share} of the samples differ`);
@@ -681,6 +747,178 @@ const tests = {
     }, [...heights8]);
     await page.waitForFunction(() => globalThis.reliefPage.field.name === 'dropped.png');
     assert.equal(await alertOf(page), '');
+    await finish(page);
+  },
+
+  // Lights by one click, as shade() has them under the same name.
+  async Presets()
+  {
+    const page = await open();
+    await openHeights(page, 'hills.png', heights16);
+    await page.evaluate(() => globalThis.reliefPage.changeScene({ diffuseColor: [0.8, 0.6, 0.4] }));
+    const before = JSON.stringify(await sceneOf(page));
+    const buttons = page.getByRole('group', { name: 'Ways to light' }).getByRole('button');
+    const names = (await buttons.allTextContents()).map((text) => text.toLowerCase().replaceAll(' ', '-'));
+    assert.equal(names.length, 6);
+    let last = null;
+    for (const [k, name] of names.entries())
+    {
+      await buttons.nth(k).click();
+      await page.waitForFunction((scene) => JSON.stringify(globalThis.reliefPage.state.scene) !== scene, last ?? before);
+      last = JSON.stringify(await sceneOf(page));
+      const apart = await page.evaluate(async (preset) =>
+      {
+        const { shade } = await import('./reliefshading/index.js');
+        const { field, state } = globalThis.reliefPage;
+        const { width, height, spacing } = field;
+        const { heightScale, diffuseColor } = state.scene;
+        const made = await shade(field.heights, { width, height, spacing, heightScale, diffuseColor, preset });
+        const { data } = await globalThis.reliefPage.exact();
+        return data.reduce((worst, code, at) => Math.max(worst, Math.abs(code - made.data[at])), 0);
+      }, name);
+      assert.equal(apart, 0, `${name} is lit otherwise`);
+      assert.ok((await sceneOf(page)).lights.length > 0);
+      if (name === 'sun-and-sky')
+      {
+        const { share } = await page.evaluate(() => globalThis.reliefPage.compare());
+        assert.ok(share <= 1e-3, `${name}: ${share} of the samples are shown otherwise`);
+      }
+    }
+    for (let k = 0; k < names.length; ++k)
+    {
+      await page.click('#undo');
+    }
+    assert.equal(JSON.stringify(await sceneOf(page)), before);
+    await finish(page);
+  },
+
+  // Pictures of linear light as environments, far away and nearby, and as heights.
+  async LinearFiles()
+  {
+    const page = await open();
+    const field = path.join(values.output, 'linear-hills.png');
+    fs.writeFileSync(field, heights16);
+    await openHeights(page, 'linear-hills.png', heights16);
+    await page.check('text=Shines >> input');
+    await page.uncheck('text=Shines >> input');
+    await page.check('text=Light from all around >> input');
+    await page.evaluate(() => globalThis.reliefPage.changeScene({ subsurfaceDepth: 2, exposure: -1.5 }));
+    const files = { 'around.exr': exrOf(panorama, AROUND, ['B', 'G', 'R']), 'around.hdr': radianceOf(panorama, AROUND) };
+    const means = [];
+    for (const [name, buffer] of Object.entries(files))
+    {
+      fs.writeFileSync(path.join(values.output, name), buffer);
+      await page.evaluate(() => globalThis.reliefPage.changeEnvironment({ image: 'file', file: 'missing' }));
+      await give(page, () => page.click('[data-drop="environment"] button >> nth=0'), name, buffer);
+      assert.equal(await alertOf(page), '');
+      for (const near of [false, true])
+      {
+        await page.setChecked('text=Infinitely far away >> input', !near);
+        if (near)
+        {
+          await page.getByLabel('Radius, number').fill('30');
+          await page.keyboard.press('Tab');
+        }
+        const scene = await downloadBy(page, 'Save scene');
+        const saved = decode(fs.readFileSync(await downloadBy(page, 'Save picture')));
+        compareWithNative(field, scene, saved);
+        means.push(saved.data.reduce((sum, code) => sum + code, 0) / saved.data.length);
+        const { worst, share } = await page.evaluate(() => globalThis.reliefPage.compare());
+        assert.ok(share <= 1e-3, `${name}, ${near}: ${share} of the samples differ, by ${worst}`);
+      }
+    }
+    assert.ok(Math.abs(means[0] - means[2]) < 2 && Math.abs(means[1] - means[3]) < 2, means.join(' '));
+    assert.ok(means.every((mean) => mean > 20 && mean < 235) && Math.abs(means[0] - means[1]) > 1, means.join(' '));
+
+    // Heights have their first row on top.
+    const ramp = Float32Array.from({ length: COLUMNS * ROWS }, (_, k) => Math.floor(k / COLUMNS) + 0.25 * (k % COLUMNS));
+    await openHeights(page, 'ramp.exr', exrOf(ramp, [COLUMNS, ROWS], ['Y']));
+    assert.equal(await alertOf(page), '');
+    const read = await page.evaluate(() => [...globalThis.reliefPage.field.heights]);
+    assert.ok(read.every((height, k) => Math.abs(height - ramp[k]) < 1e-4), `${read.slice(0, 3)}`);
+    const exr = files['around.exr'];
+    const huge = Buffer.from(exr);
+    huge.writeInt32LE(99999, exr.indexOf('dataWindow') + 21 + 8);
+    huge.writeInt32LE(99999, exr.indexOf('dataWindow') + 21 + 12);
+    for (const [name, buffer] of Object.entries({ 'short.exr': exr.subarray(0, 2000), 'head.exr': exr.subarray(0, 60), 'huge.exr': huge,
+      'short.hdr': files['around.hdr'].subarray(0, 1500), 'head.hdr': Buffer.from('#?RADIANCE\n') }))
+    {
+      await openHeights(page, name, buffer);
+      const text = await alertOf(page);
+      assert.ok(text.includes(name) && text.length < 200 && !text.includes('\n'), `${name}: ${text}`);
+      console.log(text);
+    }
+    await finish(page);
+  },
+
+  // Fields that no texture holds are shaded all the same, and it is said how.
+  async LargeFields()
+  {
+    const page = await open();
+    const host = () => page.evaluate(() => document.documentElement.dataset.host);
+    const most = await page.evaluate(() =>
+    {
+      const { gl } = globalThis.reliefPage.picture.host.renderer;
+      return gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    });
+    const width = most + 8;
+    const data = Uint16Array.from({ length: 6 * width }, (_, k) => 2000 * (1 + Math.sin((k % width) / 30)));
+    await openHeights(page, 'long.png', Buffer.from(encode({ data, width, height: 6, channels: 1, depth: 16 })));
+    await settled(page);
+    assert.equal(await host(), 'WebAssembly');
+    const text = await alertOf(page);
+    assert.ok(text.includes(`${most}`) && text.length < 200, text);
+    console.log(text);
+    const shown = await page.evaluate(() =>
+    {
+      const { canvas } = globalThis.reliefPage.picture;
+      const { data: pixels } = canvas.getContext('2d').getImageData(0, canvas.height / 2, canvas.width, 1);
+      return new Set(pixels.filter((_, k) => k % 4 === 0)).size;
+    });
+    assert.ok(shown > 10, `${shown} shades are seen`);
+    // Only as long as it is needed.
+    await openHeights(page, 'hills.png', heights16);
+    await settled(page);
+    assert.equal(await host(), 'WebGL 2');
+    assert.equal(await alertOf(page), '');
+    await finish(page);
+  },
+
+  // An automatic exposure is that of all samples, whatever is seen.
+  async Exposure()
+  {
+    const page = await open();
+    const field = path.join(values.output, 'exposed-hills.png');
+    fs.writeFileSync(field, heights16);
+    await openHeights(page, 'exposed-hills.png', heights16);
+    await page.check('text=Point >> input');
+    await page.evaluate(() =>
+    {
+      const { reliefPage } = globalThis;
+      const { position } = reliefPage.state.scene.lights[0];
+      reliefPage.changeLight({ ...reliefPage.state.scene.lights[0], position: [10, 10, position[2] / 4], intensity: 0.3 });
+      reliefPage.changeScene({ exposure: 'auto', diffuseColor: [0.6, 0.5, 0.4] });
+      reliefPage.view.zoomBy(6, [5, 5]);
+    });
+    await settled(page);
+    const { stops, exposure } = await page.evaluate(async () => ({
+      stops: globalThis.reliefPage.picture.host.renderer.stops, exposure: (await globalThis.reliefPage.exact()).statistics.exposure,
+    }));
+    const codes = (exponent, x) => 255 * (1.055 * Math.min(x * 2 ** exponent, 1) ** (1 / 2.4) - 0.055);
+    let worst = 0;
+    for (let x = 0.004; x < 1; x *= 1.1)
+    {
+      worst = Math.max(worst, Math.abs(codes(stops, x) - codes(exposure, x)));
+    }
+    console.log(`${stops} stops, ${exposure} for the exact picture: ${worst.toFixed(3)} of 255`);
+    assert.ok(Math.abs(exposure) > 0.2 && worst <= 0.5, `${stops}, ${exposure}`);
+    const scene = await downloadBy(page, 'Save scene');
+    compareWithNative(field, scene, decode(fs.readFileSync(await downloadBy(page, 'Save picture'))));
+    // What moves does so by the one that was, and what rests has its own.
+    await page.evaluate(() => globalThis.reliefPage.changeScene({ diffuseColor: [0.2, 0.2, 0.2] }));
+    await settled(page);
+    const after = await page.evaluate(() => globalThis.reliefPage.picture.host.renderer.stops);
+    assert.ok(after > stops + 0.5, `${after} stops for what is darker`);
     await finish(page);
   },
 
