@@ -229,6 +229,28 @@ async function writeExamples() {
 }
 
 //--------------------------------------------------------------------------------------------------
+// All modules of the page itself, the WebAssembly and the first example are asked for at once.
+function preload() {
+  const file = join(output, "index.html");
+  const scripts = (folder) =>
+    readdirSync(join(output, folder))
+      .filter((name) => name.endsWith(".js") && !/worker\.js$|^hdr\.js$/.test(name))
+      .map((name) => (folder ? `${folder}/${name}` : name));
+  const modules = ["", "reliefshading", "webgl"]
+    .flatMap(scripts)
+    .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
+  const data = ["examples/examples.json", "examples/medallion.png", "reliefshading/reliefshading.wasm"].map(
+    (name) => `    <link rel="preload" as="fetch" crossorigin href="${name}" />\n`,
+  );
+  const text = readFileSync(file, "utf8");
+  const filled = text.replace(/ {4}<!-- What the first picture needs.*-->\n/, [...modules, ...data].join(""));
+  if (filled === text) {
+    throw new Error("index.html has no place for what is asked for first");
+  }
+  writeFileSync(file, filled);
+}
+
+//--------------------------------------------------------------------------------------------------
 rmSync(output, { recursive: true, force: true });
 mkdirSync(output, { recursive: true });
 pageFiles.forEach((name) => copyFileSync(join(source, name), join(output, name)));
@@ -239,5 +261,6 @@ readdirSync(webgl)
   .forEach((name) => copyFileSync(join(webgl, name), join(output, "webgl", name)));
 copyLibraries();
 await writeExamples();
+preload();
 // Last: what the build looks at to see whether all is there.
 writeFileSync(join(output, "assembled"), "");

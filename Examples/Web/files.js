@@ -4,12 +4,22 @@
 
 const mostBytes = 2 ** 30;
 
-/** Calls the worker of files, which ends afterwards, so that its memory is free again. */
+const newWorker = () => new Worker(new URL("./files.worker.js", import.meta.url), { type: "module" });
+
+// One waits, so that a file is not kept waiting.
+let waiting = newWorker();
+
+/** Calls a worker of files, which ends afterwards, so that its memory is free again. */
 export function callFiles(message, transfer = []) {
   return new Promise((resolve, reject) => {
-    const worker = new Worker(new URL("./files.worker.js", import.meta.url), { type: "module" });
-    worker.onmessage = ({ data }) => {
+    const worker = waiting ?? newWorker();
+    waiting = null;
+    const end = () => {
       worker.terminate();
+      waiting ??= newWorker();
+    };
+    worker.onmessage = ({ data }) => {
+      end();
       if (data.error) {
         reject(new Error(data.error));
       } else {
@@ -17,7 +27,7 @@ export function callFiles(message, transfer = []) {
       }
     };
     worker.onerror = (event) => {
-      worker.terminate();
+      end();
       reject(new Error(`What reads files has failed: ${event.message ?? "it cannot be loaded"}`));
     };
     worker.postMessage(message, transfer);

@@ -209,7 +209,10 @@ class Page {
   // Another field, with a scene that suits it.
   async show(field, scene) {
     const { heights, width, height, spacing } = field;
-    const fittedScale = field.lengths ? 1 : await fitHeightScale(heights, { width, height, spacing });
+    // Only where it is not told otherwise: it is to be found first.
+    const fittedScale = field.lengths
+      ? 1
+      : (scene?.heightScale ?? (await fitHeightScale(heights, { width, height, spacing })));
     this.whole = { ...field, ...rangeOf(heights), fittedScale };
     this.field = this.whole;
     this.shownMask = null;

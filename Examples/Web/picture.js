@@ -29,10 +29,15 @@ function coarser(field) {
   return { ...field, heights, width, height, spacing: field.spacing.map((size) => n * size) };
 }
 
-/** Whether WebGL is computed by the processor, which the exact sums then do sooner. */
-function inSoftware(gl) {
+/** Whether WebGL is there but computed by the processor, which the exact sums then do sooner. */
+function inSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) {
+    return false;
+  }
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  gl.getExtension("WEBGL_lose_context")?.loseContext(); // there are only so many
   return /SwiftShader|llvmpipe|softpipe|software|Basic Render/i.test(name);
 }
 
@@ -177,7 +182,7 @@ export class Picture {
   }
 
   begin(kind) {
-    if (kind !== "wasm") {
+    if (kind === "webgl" || (kind !== "wasm" && !inSoftware())) {
       try {
         this.host = new OnGraphicsProcessor(this.canvas, {
           lost: (lost) => {
@@ -187,9 +192,6 @@ export class Picture {
           redraw: () => this.schedule(),
           wrong: this.on.wrong,
         });
-        if (kind !== "webgl" && inSoftware(this.host.renderer.gl)) {
-          this.end();
-        }
       } catch {
         this.replaceCanvas();
       }

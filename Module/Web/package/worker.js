@@ -2,7 +2,7 @@
 //
 // What shader.js starts: answers one call after the other. Results are handed over, not copied.
 
-import { exposureOf, fitScale, presetLights, shadeRun } from "./module.js";
+import { exposureOf, fitScale, load, presetLights, shadeRun } from "./module.js";
 import { readField, readRun } from "./options.js";
 
 const answers = {
@@ -25,6 +25,9 @@ async function answer({ call, what, heights, options, band }) {
     self.postMessage({ call, error: { name: error.name, message: error.message } });
   }
 }
+
+// Meanwhile; where it fails the first call says so.
+load().catch(() => {});
 
 let last = Promise.resolve(); // so that they are answered in their order
 self.onmessage = ({ data }) => {
