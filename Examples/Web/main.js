@@ -447,9 +447,13 @@ class Page {
     });
   }
 
+  sceneText() {
+    return sceneFile(this.state);
+  }
+
   saveScene() {
     return this.guard(async () => {
-      download(`${this.baseName()}-scene.json`, await sceneFile(this.state), "application/json");
+      download(`${this.baseName()}-scene.json`, await this.sceneText(), "application/json");
       this.say("The scene is saved.");
     });
   }

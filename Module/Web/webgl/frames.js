@@ -249,6 +249,11 @@ export class Frames
       {
         break;
       }
+      // While the whole program is compiled, what is coarse serves.
+      if (seconds !== Infinity && entry.complete && !this.passes.isReady(this.passes.traceProgram(this.scene, light, false)))
+      {
+        continue;
+      }
       this.traced.add(light);
       if (entry.rows === 0)
       {
@@ -471,15 +476,25 @@ export class Frames
   //----------------------------------------------------------------------------
   // Colours
 
-  updateTextures()
+  // The pictures that show.
+  shownTextures()
   {
     const { scene, sums } = this;
-    const shown = {
-      base: scene.specularCoefficient < 1, diffuse: sums.diffuse || sums.scatter, specular: sums.specular,
+    const { base, diffuse, specular } = scene.textures;
+    return {
+      base: scene.specularCoefficient < 1 ? base : undefined,
+      diffuse: sums.diffuse || sums.scatter ? diffuse : undefined,
+      specular: sums.specular ? specular : undefined,
     };
+  }
+
+  updateTextures()
+  {
+    const { scene } = this;
+    const shown = this.shownTextures();
     for (const name of ['base', 'diffuse', 'specular'])
     {
-      const picture = shown[name] ? scene.textures[name] : undefined;
+      const picture = shown[name];
       const from = picture && JSON.stringify([this.shown, scene[name]]);
       const kept = this.colorTextures[name];
       if (kept && (kept.picture !== picture || kept.from !== from || kept.field !== this.field))
@@ -562,6 +577,8 @@ export class Frames
     try
     {
       this.classify();
+      this.passes.prepare(scene, this.first.map(({ light }) => light), this.rest.map(({ light }) => light),
+        this.shownTextures(), request.seconds !== Infinity);
       this.updateFirst();
       this.gatherFirst();
       this.updateLater();

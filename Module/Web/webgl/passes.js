@@ -14,6 +14,7 @@ const FLT_EPSILON = 1.1920928955078125e-7;
 const MOST_POOLED = 64 * 1024 * 1024; // bytes of textures that wait to be used again
 const MOST_DRAWN = 512 * 1024; // texels in one call
 const FORMATS = { 1: ['R32F', 'RED'], 2: ['RG32F', 'RG'], 4: ['RGBA32F', 'RGBA'] };
+const DISPLAY = { key: 'display', text: displayText };
 const SUMS = ['diffuse', 'scatter', 'specular'];
 
 export class Passes
@@ -26,6 +27,7 @@ export class Passes
       throw new ReliefError('the graphics processor cannot draw into floats (EXT_color_buffer_float is ' +
         'missing): use another browser or device, or shade on the processor');
     }
+    this.parallel = gl.getExtension('KHR_parallel_shader_compile');
     this.blends = options.floatBlend !== false && Boolean(gl.getExtension('EXT_float_blend'));
     this.mostSize = gl.getParameter(gl.MAX_TEXTURE_SIZE);
     this.framebuffer = gl.createFramebuffer();
@@ -110,21 +112,42 @@ export class Passes
   //----------------------------------------------------------------------------
   // Programs
 
-  // Makes a program ready, compiled when it is needed first.
-  use(key, makeText)
+  // Begins a program, if it has not been begun. Browsers compile several at once, and while others draw, until
+  // somebody asks how it went.
+  start({ key, text })
   {
-    const { gl } = this;
     let program = this.programs.get(key);
-    this.compiled = !program;
     if (!program)
     {
-      program = this.compile(key, webProgram(makeText(), { nanByBits: this.nanByBits }));
+      program = this.compile(key, webProgram(text(), { nanByBits: this.nanByBits }));
       this.programs.set(key, program);
+    }
+    return program;
+  }
+
+  // Makes a program the current one, when it is compiled.
+  use(wanted)
+  {
+    const { gl } = this;
+    const program = this.start(wanted);
+    this.compiled = !program.used;
+    if (!program.used)
+    {
+      this.complete(program);
+      program.used = true;
     }
     gl.useProgram(program.handle);
     this.current = program;
     this.unit = 0;
     return program;
+  }
+
+  // Whether a program could be used without waiting for it.
+  isReady(wanted)
+  {
+    const program = this.start(wanted);
+    return program.used || !this.parallel ||
+      this.gl.getProgramParameter(program.handle, this.parallel.COMPLETION_STATUS_KHR) !== false;
   }
 
   compile(key, text)
@@ -140,13 +163,18 @@ export class Passes
       return shader;
     });
     gl.linkProgram(handle);
+    return { key, handle, shaders, used: false, places: new Map() };
+  }
+
+  complete({ key, handle, shaders })
+  {
+    const { gl } = this;
     if (!gl.getProgramParameter(handle, gl.LINK_STATUS) && !gl.isContextLost())
     {
       const log = shaders.map((s) => gl.getShaderInfoLog(s)).join('') + gl.getProgramInfoLog(handle);
       throw new ReliefError(`the shading program "${key}" was refused: ${log.trim().slice(0, 120)}`);
     }
     shaders.forEach((shader) => gl.deleteShader(shader));
-    return { handle, places: new Map() };
   }
 
   // Sets a uniform of the current program, if it has one of that name.
@@ -300,7 +328,7 @@ export class Passes
     const result = this.texture(1, 1, 4);
     for (this.nanByBits of this.tests)
     {
-      this.use(`probe${this.nanByBits}`, probeText);
+      this.use({ key: `probe${this.nanByBits}`, text: probeText });
       this.setTexture('given', given);
       this.draw([result], 0, 1);
       if (this.read(result)[0] === 1)
@@ -335,11 +363,62 @@ export class Passes
     };
   }
 
+  // Which programs the passes are made with.
+
+  traceProgram(scene, light, quick)
+  {
+    const features = this.features(scene, light);
+    return { key: key(quick ? 'quick trace ' : 'trace ', features), text: () => traceText(features, quick) };
+  }
+
+  gatherProgram(scene, light, wanted, count)
+  {
+    const features = {
+      ...this.features(scene, light), positional: !light.directional && (wanted.scatter || wanted.specular),
+    };
+    const name = key('gather', {
+      positional: features.positional, surfaceNormal: features.surfaceNormal,
+      tangentPlane: features.tangentPlane, ...wanted,
+    });
+    return { key: `${name}${count}`, text: () => gatherText(features, wanted, count), positional: features.positional };
+  }
+
+  composeProgram(first, later, sums, textures)
+  {
+    const compose = {
+      sums, first, later,
+      baseTexture: Boolean(textures.base),
+      diffuseTexture: (sums.diffuse || sums.scatter) && Boolean(textures.diffuse),
+      specularTexture: sums.specular && Boolean(textures.specular),
+    };
+    return { key: key('compose', { ...sums, ...compose, sums: false }), text: () => composeText(compose), compose };
+  }
+
+  // Begins what a scene of these lights is going to be shaded with, first what the first picture needs, which is
+  // coarse where time is short.
+  prepare(scene, first, rest, textures, coarse)
+  {
+    const { sums } = scene;
+    const traced = [...first, ...rest].filter((light) => light.matte);
+    if (coarse)
+    {
+      first.filter((light) => light.matte).forEach((light) => this.start(this.traceProgram(scene, light, true)));
+    }
+    const any = sums.diffuse || sums.scatter || sums.specular;
+    for (const lights of any ? [first, rest].filter((list) => list.length > 0) : [])
+    {
+      const alike = !(sums.scatter || sums.specular) || lights.every((light) => light.directional);
+      this.start(this.gatherProgram(scene, lights[0], sums, alike ? Math.min(lights.length, MOST_GATHERED) : 1));
+    }
+    this.start(this.composeProgram(any && first.length > 0, any && rest.length > 0, sums, textures));
+    this.start(DISPLAY);
+    traced.forEach((light) => this.start(this.traceProgram(scene, light, false)));
+  }
+
   // Traces a light for the rows [begin, end) of a layer of one float, or quickly: level beyond the data.
   trace(scene, light, layer, begin, end, quick)
   {
-    const features = this.features(scene, light);
-    this.use(key(quick ? 'quick trace ' : 'trace ', features), () => traceText(features, quick));
+    this.use(this.traceProgram(scene, light, quick));
     this.setSurface(layer.grid);
     this.setLight(scene, light);
     this.set('1i', 'lightSteps', scene.steps);
@@ -404,7 +483,7 @@ export class Passes
       if (other)
       {
         const sum = this.texture(other.width, other.height, 4);
-        this.use('sum', sumText);
+        this.use({ key: 'sum', text: sumText });
         this.setTexture('first', sums.textures[k]);
         this.setTexture('second', other);
         this.draw([sum], 0, sum.height);
@@ -419,15 +498,10 @@ export class Passes
   {
     const wanted = sums.features;
     const first = lights[0].light;
-    const direction = wanted.scatter || wanted.specular;
-    const features = { ...this.features(scene, first), positional: !first.directional && direction };
-    const name = key('gather', {
-      positional: features.positional, surfaceNormal: features.surfaceNormal,
-      tangentPlane: features.tangentPlane, ...wanted,
-    });
-    this.use(`${name}${lights.length}`, () => gatherText(features, wanted, lights.length));
+    const program = this.gatherProgram(scene, first, wanted, lights.length);
+    this.use(program);
     this.setSurface(sums.grid);
-    if (features.positional)
+    if (program.positional)
     {
       this.setLight(scene, first);
     }
@@ -446,15 +520,9 @@ export class Passes
   // Makes colours of sums, of which either may be null, and of the material's colours or of textures.
   compose(scene, first, later, laterScale, sums, colorTextures, colors)
   {
-    const compose = {
-      sums,
-      first: Boolean(first),
-      later: Boolean(later),
-      baseTexture: Boolean(colorTextures.base),
-      diffuseTexture: (sums.diffuse || sums.scatter) && Boolean(colorTextures.diffuse),
-      specularTexture: sums.specular && Boolean(colorTextures.specular),
-    };
-    this.use(key('compose', { ...sums, ...compose, sums: false }), () => composeText(compose));
+    const program = this.composeProgram(Boolean(first), Boolean(later), sums, colorTextures);
+    const { compose } = program;
+    this.use(program);
     this.setSurface(colors.grid);
     this.set('2f', 'coefficients', scene.specularCoefficient, scene.scatterCoefficient);
     for (const name of ['base', 'diffuse', 'specular'])
@@ -487,7 +555,7 @@ export class Passes
   show(colors, place, { target = null, encoded = true, exposure = 1, background = [0, 0, 0, 0] })
   {
     const { gl } = this;
-    this.use('display', displayText);
+    this.use(DISPLAY);
     this.setTexture('colors', colors.texture);
     this.setGrid('grid', colors.grid);
     this.set('2f', 'viewOrigin', ...place.origin);

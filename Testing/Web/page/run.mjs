@@ -13,6 +13,7 @@ import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
 
 import { launch, serve } from '../webgl/browser.mjs';
+import { ball, figures, rainbow } from './figures.mjs';
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
@@ -919,6 +920,158 @@ const tests = {
     await settled(page);
     const after = await page.evaluate(() => globalThis.reliefPage.picture.host.renderer.stops);
     assert.ok(after > stops + 0.5, `${after} stops for what is darker`);
+    await finish(page);
+  },
+
+  // Every type of figure of the thesis, by the controls; each picture is another one, and reliefshade's, too. A sheet
+  // of all of them is for people.
+  async Figures()
+  {
+    const page = await open({ query: '?host=wasm', width: 1000, height: 700 });
+    page.setDefaultTimeout(20000);
+    const owl = decode(fs.readFileSync(path.join(values.page, 'examples', 'owl.png')));
+    const [width, height] = [Math.floor(owl.width / 4), Math.floor(owl.height / 4)];
+    const small = Uint16Array.from({ length: width * height }, (_, k) =>
+      owl.data[4 * owl.width * Math.floor(k / width) + 4 * (k % width)]);
+    const size = 100;
+    const grey = (data, columns, rows) => Buffer.from(encode({ data, width: columns, height: rows, channels: 1, depth: 16 }));
+    const heights = { owl: grey(small, width, height), ball: grey(ball(size), size, size) };
+    const stripe = (channels) => Buffer.from(encode({ data: Uint8Array.from({ length: channels * width * height }, (_, k) =>
+      [255, 120, 40][(Math.floor((Math.floor(k / channels) % width) / 20) + (k % channels)) % 3]), width, height, channels, depth: 8 }));
+    const textures = { base: stripe(3), diffuse: stripe(3), specular: stripe(3), mask: stripe(1) };
+    const around = exrOf(rainbow.values, rainbow.size, ['B', 'G', 'R']);
+    fs.writeFileSync(path.join(values.output, 'rainbow.exr'), around);
+
+    const set = async (key, value) =>
+    {
+      const [label, title] = key.split(': ').reverse();
+      const panel = title
+        ? page.locator('fieldset').filter({ has: page.locator('legend', { hasText: new RegExp(`^${title}$`) }) })
+        : page.locator('#panel');
+      if (typeof value === 'boolean')
+      {
+        await panel.getByLabel(label, { exact: true }).setChecked(value);
+      }
+      else if (typeof value === 'number')
+      {
+        await panel.getByLabel(`${label}, number`, { exact: true }).fill(String(value));
+        await page.keyboard.press('Tab');
+      }
+      else if (value.startsWith('#'))
+      {
+        await panel.getByLabel(label, { exact: true }).fill(value);
+      }
+      else
+      {
+        await panel.getByLabel(label, { exact: true }).selectOption({ label: value });
+      }
+    };
+    const picture = async (role, name, buffer) =>
+    {
+      await give(page, () => page.click(`[data-drop="${role}"] button >> nth=0`), name, buffer);
+    };
+    const apply = async (panel) =>
+    {
+      for (const [label, value] of Object.entries(panel))
+      {
+        switch (label)
+        {
+          case 'kind':
+            await page.getByLabel(value, { exact: true }).check();
+            break;
+          case 'place':
+            await page.mouse.click(...(await centre(page)).at(...value));
+            break;
+          case 'file':
+            await page.evaluate(() => globalThis.reliefPage.changeEnvironment({ image: 'file', file: 'missing' }));
+            await picture('environment', value, around);
+            break;
+          case 'texture':
+            await picture(value, `${value}.png`, textures[value]);
+            break;
+          case 'preset':
+            await page.getByRole('button', { name: value, exact: true }).click();
+            await page.waitForFunction(() => !document.body.hasAttribute('aria-busy'));
+            break;
+          case 'add':
+            await page.getByRole('button', { name: 'Add', exact: true }).click();
+            await apply(value);
+            break;
+          default:
+            await set(label, value);
+        }
+      }
+    };
+    const compare = (a, b) => a.reduce((sum, code, k) => sum + Math.abs(code - b[k]), 0) / a.length;
+
+    const rows = [];
+    let opened = null;
+    for (const [title, { heights: name = 'owl', panels }] of Object.entries(figures))
+    {
+      if (opened !== name)
+      {
+        fs.writeFileSync(path.join(values.output, `${name}.png`), heights[name]);
+        await openHeights(page, `${name}.png`, heights[name]);
+        opened = name;
+      }
+      const pictures = [];
+      for (const panel of panels)
+      {
+        await page.click('#reset');
+        await apply(panel);
+        assert.equal(await alertOf(page), '', title);
+        const made = await page.evaluate(async () =>
+        {
+          const { data, width: columns, height: lines } = await globalThis.reliefPage.exact();
+          let text = '';
+          for (let k = 0; k < data.length; k += 4096)
+          {
+            text += String.fromCharCode(...data.subarray(k, k + 4096));
+          }
+          return { columns, lines, text: btoa(text), scene: await globalThis.reliefPage.sceneText() };
+        });
+        const data = new Uint8Array(Buffer.from(made.text, 'base64'));
+        const levels = new Set(data).size;
+        assert.ok(levels > 20, `${title}: ${levels} codes are all that there is`);
+        pictures.forEach((other) => assert.ok(compare(other.data, data) > 0.3, `${title}: two pictures are alike`));
+        pictures.push({ data, width: made.columns, height: made.lines });
+        // Files of scenes have no textures.
+        if (values.reliefshade && !panel.texture)
+        {
+          const scene = path.join(values.output, 'figure-scene.json');
+          const native = path.join(values.output, 'figure-native.png');
+          fs.writeFileSync(scene, made.scene);
+          const result = spawnSync(values.reliefshade,
+            [path.join(values.output, `${name}.png`), native, '--scene', scene], { encoding: 'utf8' });
+          assert.equal(result.status, 0, result.stderr);
+          const expected = decode(fs.readFileSync(native));
+          let wrong = 0;
+          for (let k = 0; k < made.columns * made.lines; ++k)
+          {
+            const at = (c) => expected.data[expected.channels * k + Math.min(c, expected.channels - 1)];
+            wrong += [0, 1, 2].some((c) => Math.abs(data[4 * k + c] - at(c)) > 2) ? 1 : 0;
+          }
+          assert.ok(wrong <= 1e-3 * made.columns * made.lines, `${title}: ${wrong} samples are others than reliefshade's`);
+        }
+      }
+      rows.push(pictures);
+    }
+    const gap = 4;
+    const cell = [Math.max(width, size) + gap, Math.max(height, size) + gap];
+    const across = 2 * 4; // two figures side by side
+    const sheet = { width: across * cell[0], height: Math.ceil(rows.length / 2) * cell[1], channels: 4, depth: 8 };
+    const pixels = new Uint8Array(4 * sheet.width * sheet.height).fill(255);
+    rows.forEach((pictures, row) => pictures.forEach((one, column) =>
+    {
+      const x = ((row % 2) * 4 + column) * cell[0];
+      const y = Math.floor(row / 2) * cell[1];
+      for (let j = 0; j < one.height; ++j)
+      {
+        pixels.set(one.data.subarray(4 * one.width * j, 4 * one.width * (j + 1)), 4 * ((y + j) * sheet.width + x));
+      }
+    }));
+    fs.writeFileSync(path.join(values.output, 'figures.png'), encode({ ...sheet, data: pixels }));
+    console.log(`${rows.length} figures, ${rows.flat().length} pictures`);
     await finish(page);
   },
 

@@ -210,7 +210,7 @@ export async function numbers()
     const given = passes.texture(4, 1, 1);
     const result = passes.texture(1, 1, 4);
     passes.load(given, Float32Array.of(NaN, Infinity, 1, 0));
-    passes.use('again', probeText);
+    passes.use({ key: 'again', text: probeText });
     passes.setTexture('given', given);
     passes.draw([result], 0, 1);
     const [all, constants, textures, computed] = passes.read(result);
