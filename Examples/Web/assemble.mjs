@@ -229,7 +229,7 @@ async function writeExamples() {
 }
 
 //--------------------------------------------------------------------------------------------------
-// All modules of the page itself, the WebAssembly and the first example are asked for at once.
+// All modules of the page itself and the list of examples are asked for at once.
 function preload() {
   const file = join(output, "index.html");
   const scripts = (folder) =>
@@ -239,11 +239,9 @@ function preload() {
   const modules = ["", "reliefshading", "webgl"]
     .flatMap(scripts)
     .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
-  const data = ["examples/examples.json", "examples/medallion.png", "reliefshading/reliefshading.wasm"].map(
-    (name) => `    <link rel="preload" as="fetch" crossorigin href="${name}" />\n`,
-  );
+  const data = '    <link rel="preload" as="fetch" crossorigin href="examples/examples.json" />\n';
   const text = readFileSync(file, "utf8");
-  const filled = text.replace(/ {4}<!-- What the first picture needs.*-->\n/, [...modules, ...data].join(""));
+  const filled = text.replace(/ {4}<!-- What the first picture needs.*-->\n/, [...modules, data].join(""));
   if (filled === text) {
     throw new Error("index.html has no place for what is asked for first");
   }

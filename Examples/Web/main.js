@@ -8,7 +8,7 @@ import { Gestures } from "./gestures.js";
 import { History } from "./history.js";
 import { describe, extentOf, LightDots, middleHeight } from "./lights.js";
 import { Panel } from "./panel.js";
-import { Picture } from "./picture.js";
+import { Picture, workersFor } from "./picture.js";
 import { createWorkerShader, fitHeightScale } from "./reliefshading/index.js";
 import {
   fromLink,
@@ -425,9 +425,14 @@ class Page {
 
   /** The picture in full resolution, by the exact sums. */
   async exact() {
-    const shader = createWorkerShader({ workers: Math.min(4, navigator.hardwareConcurrency || 1) });
+    const options = shadeOptions(this.state, this.field, this.assets);
+    const { host } = this.picture;
+    if (host.shader) {
+      return host.shader.shade(this.field.heights, options);
+    }
+    const shader = createWorkerShader({ workers: workersFor(this.field) });
     try {
-      return await shader.shade(this.field.heights, shadeOptions(this.state, this.field, this.assets));
+      return await shader.shade(this.field.heights, options);
     } finally {
       shader.terminate();
     }

@@ -41,6 +41,12 @@ function inSoftware() {
   return /SwiftShader|llvmpipe|softpipe|software|Basic Render/i.test(name);
 }
 
+/** How many workers shade a field; each of them has a copy of the heights. */
+export function workersFor({ width, height }) {
+  const room = Math.floor(mostCopied / (width * height));
+  return Math.max(Math.min(room, mostWorkers, navigator.hardwareConcurrency || 1), 1);
+}
+
 //--------------------------------------------------------------------------------------------------
 class OnGraphicsProcessor {
   /** @param on   lost(whether), redraw(), wrong(error) */
@@ -107,12 +113,10 @@ class OnProcessor {
     this.name = "WebAssembly";
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
-    this.employ(mostWorkers);
+    this.employ(workersFor({ width: 1, height: 1 }));
   }
 
-  // Each worker has a copy of the heights.
-  employ(workers) {
-    const count = Math.max(Math.min(workers, mostWorkers, navigator.hardwareConcurrency || 1), 1);
+  employ(count) {
     if (count !== this.workers) {
       this.shader?.terminate();
       this.shader = createWorkerShader({ workers: count });
@@ -122,7 +126,7 @@ class OnProcessor {
 
   setField(field) {
     this.fields = [field, coarser(field)];
-    this.employ(Math.floor(mostCopied / (field.width * field.height)));
+    this.employ(workersFor(field));
     this.shown = null; // a coarse picture comes first
   }
 
