@@ -11,9 +11,13 @@ export const packageFolder = process.env.RELIEF_PACKAGE;
 export const {
   createWorkerShader,
   environmentLights,
+  findExposure,
   fitHeightScale,
   init,
   parameters,
+  planScene,
+  presetNames,
+  presetOptions,
   sceneFromJSON,
   sceneToJSON,
   shade,

@@ -9,7 +9,8 @@
 
 import { coverGrid } from './color-textures.js';
 import { Grid, makeGrid } from './grid.js';
-import { MOST_GATHERED } from './programs.js';
+import { illuminationKey, strength, sumOf } from './lights.js';
+import { MOST_GATHERED, traceProgram } from './programs.js';
 
 const BAND_SECONDS = 0.02; // longer draws make the browser believe that its page hangs
 const FIRST_TEXELS = 2048;  // of the first band, which tells how long others take
@@ -19,30 +20,6 @@ const TEXELS_PER_PIXEL = 3;
 const SUMS = ['diffuse', 'scatter', 'specular'];
 
 const now = () => performance.now() / 1000;
-const sumOf = (v) => Math.abs(v[0]) + Math.abs(v[1]) + Math.abs(v[2]);
-
-// How bright a light makes level ground, about: the order in which lights are added, and what they count
-// while some are missing.
-function strength(light)
-{
-  return sumOf(light.radiance) * (light.directional ? Math.max(light.vector[2], 0.05) : 1);
-}
-
-// All that the illumination of one light depends on: what is kept under an equal key is what would be traced.
-function illuminationKey(field, scene, light)
-{
-  const { medium } = scene;
-  const key = [field.version, ...light.traced, light.positional, scene.combined, scene.igor, medium.depth,
-    medium.surfaceNormal, medium.tangentPlane];
-  if (scene.fixedStep)
-  {
-    // Algorithm 1 counts points: it knows no attenuation, floor or tolerance.
-    return [...key, 'steps', scene.steps].join(' ');
-  }
-  return [...key, medium.exponential ? medium.density : '', medium.useFloor ? medium.floorHeight : '',
-    medium.tolerance * light.toleranceScale].join(' ');
-}
-
 export class Frames
 {
   constructor(passes)
@@ -250,7 +227,7 @@ export class Frames
         break;
       }
       // While the whole program is compiled, what is coarse serves.
-      if (seconds !== Infinity && entry.complete && !this.passes.isReady(this.passes.traceProgram(this.scene, light, false)))
+      if (seconds !== Infinity && entry.complete && !this.passes.isReady(traceProgram(this.scene, light, false)))
       {
         continue;
       }

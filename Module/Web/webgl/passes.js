@@ -6,15 +6,12 @@
 
 import { ReliefError } from './error.js';
 import {
-  composeText, displayText, gatherText, MOST_GATHERED, probeText, sumText, traceText, VERTEX_PROGRAM, webProgram,
+  composeProgram, DISPLAY, gatherProgram, MOST_GATHERED, probeText, singleDepth, SUM, traceProgram, VERTEX_PROGRAM, webProgram,
 } from './programs.js';
 
-const FLT_MIN = 1.1754943508222875e-38;
-const FLT_EPSILON = 1.1920928955078125e-7;
 const MOST_POOLED = 64 * 1024 * 1024; // bytes of textures that wait to be used again
 const MOST_DRAWN = 512 * 1024; // texels in one call
 const FORMATS = { 1: ['R32F', 'RED'], 2: ['RG32F', 'RG'], 4: ['RGBA32F', 'RGBA'] };
-const DISPLAY = { key: 'display', text: displayText };
 const SUMS = ['diffuse', 'scatter', 'specular'];
 
 export class Passes
@@ -348,52 +345,6 @@ export class Passes
   //----------------------------------------------------------------------------
   // The passes
 
-  features(scene, light)
-  {
-    return {
-      positional: light.positional,
-      surfaceNormal: scene.medium.surfaceNormal,
-      tangentPlane: scene.medium.tangentPlane,
-      exponential: scene.medium.exponential,
-      floor: scene.medium.useFloor,
-      deep: scene.medium.exponential || singleDepth(scene.medium) > 0,
-      fixedStep: scene.fixedStep,
-      combined: scene.combined,
-      igor: scene.igor,
-    };
-  }
-
-  // Which programs the passes are made with.
-
-  traceProgram(scene, light, quick)
-  {
-    const features = this.features(scene, light);
-    return { key: key(quick ? 'quick trace ' : 'trace ', features), text: () => traceText(features, quick) };
-  }
-
-  gatherProgram(scene, light, wanted, count)
-  {
-    const features = {
-      ...this.features(scene, light), positional: !light.directional && (wanted.scatter || wanted.specular),
-    };
-    const name = key('gather', {
-      positional: features.positional, surfaceNormal: features.surfaceNormal,
-      tangentPlane: features.tangentPlane, ...wanted,
-    });
-    return { key: `${name}${count}`, text: () => gatherText(features, wanted, count), positional: features.positional };
-  }
-
-  composeProgram(first, later, sums, textures)
-  {
-    const compose = {
-      sums, first, later,
-      baseTexture: Boolean(textures.base),
-      diffuseTexture: (sums.diffuse || sums.scatter) && Boolean(textures.diffuse),
-      specularTexture: sums.specular && Boolean(textures.specular),
-    };
-    return { key: key('compose', { ...sums, ...compose, sums: false }), text: () => composeText(compose), compose };
-  }
-
   // Begins what a scene of these lights is going to be shaded with, first what the first picture needs, which is
   // coarse where time is short.
   prepare(scene, first, rest, textures, coarse)
@@ -402,23 +353,23 @@ export class Passes
     const traced = [...first, ...rest].filter((light) => light.matte);
     if (coarse)
     {
-      first.filter((light) => light.matte).forEach((light) => this.start(this.traceProgram(scene, light, true)));
+      first.filter((light) => light.matte).forEach((light) => this.start(traceProgram(scene, light, true)));
     }
     const any = sums.diffuse || sums.scatter || sums.specular;
     for (const lights of any ? [first, rest].filter((list) => list.length > 0) : [])
     {
       const alike = !(sums.scatter || sums.specular) || lights.every((light) => light.directional);
-      this.start(this.gatherProgram(scene, lights[0], sums, alike ? Math.min(lights.length, MOST_GATHERED) : 1));
+      this.start(gatherProgram(scene, lights[0], sums, alike ? Math.min(lights.length, MOST_GATHERED) : 1));
     }
-    this.start(this.composeProgram(any && first.length > 0, any && rest.length > 0, sums, textures));
+    this.start(composeProgram(any && first.length > 0, any && rest.length > 0, sums, textures));
     this.start(DISPLAY);
-    traced.forEach((light) => this.start(this.traceProgram(scene, light, false)));
+    traced.forEach((light) => this.start(traceProgram(scene, light, false)));
   }
 
   // Traces a light for the rows [begin, end) of a layer of one float, or quickly: level beyond the data.
   trace(scene, light, layer, begin, end, quick)
   {
-    this.use(this.traceProgram(scene, light, quick));
+    this.use(traceProgram(scene, light, quick));
     this.setSurface(layer.grid);
     this.setLight(scene, light);
     this.set('1i', 'lightSteps', scene.steps);
@@ -483,7 +434,7 @@ export class Passes
       if (other)
       {
         const sum = this.texture(other.width, other.height, 4);
-        this.use({ key: 'sum', text: sumText });
+        this.use(SUM);
         this.setTexture('first', sums.textures[k]);
         this.setTexture('second', other);
         this.draw([sum], 0, sum.height);
@@ -498,7 +449,7 @@ export class Passes
   {
     const wanted = sums.features;
     const first = lights[0].light;
-    const program = this.gatherProgram(scene, first, wanted, lights.length);
+    const program = gatherProgram(scene, first, wanted, lights.length);
     this.use(program);
     this.setSurface(sums.grid);
     if (program.positional)
@@ -520,7 +471,7 @@ export class Passes
   // Makes colours of sums, of which either may be null, and of the material's colours or of textures.
   compose(scene, first, later, laterScale, sums, colorTextures, colors)
   {
-    const program = this.composeProgram(Boolean(first), Boolean(later), sums, colorTextures);
+    const program = composeProgram(Boolean(first), Boolean(later), sums, colorTextures);
     const { compose } = program;
     this.use(program);
     this.setSurface(colors.grid);
@@ -590,16 +541,4 @@ export class Passes
 function sizeOf(texture)
 {
   return 4 * texture.components * texture.width * texture.height;
-}
-
-// What is made of so small a depth would have few digits; d is its limit, to all that float has.
-function singleDepth(medium)
-{
-  const depth = Math.fround(medium.depth);
-  return depth < FLT_MIN / FLT_EPSILON ? 0 : depth;
-}
-
-function key(kind, features)
-{
-  return kind + Object.keys(features).filter((name) => features[name]).join(' ');
 }

@@ -5,6 +5,9 @@
 
 import { texts } from './shaders.js';
 
+const FLT_MIN = 1.1754943508222875e-38;
+const FLT_EPSILON = 1.1920928955078125e-7;
+
 // How many lights a program for gathering adds at once, at most.
 export const MOST_GATHERED = 4;
 
@@ -275,3 +278,65 @@ void main()
 }
 `;
 }
+
+//--------------------------------------------------------------------------------------------------
+// Which programs a scene's passes are made with: a key that is the same for the same text, and the text.
+
+// What is made of so small a depth would have few digits; d is its limit, to all that float has.
+export function singleDepth(medium)
+{
+  const depth = Math.fround(medium.depth);
+  return depth < FLT_MIN / FLT_EPSILON ? 0 : depth;
+}
+
+function keyOf(kind, features)
+{
+  return kind + Object.keys(features).filter((name) => features[name]).join(' ');
+}
+
+function featuresOfLight(scene, light)
+{
+  const { medium } = scene;
+  return {
+    positional: light.positional,
+    surfaceNormal: medium.surfaceNormal,
+    tangentPlane: medium.tangentPlane,
+    exponential: medium.exponential,
+    floor: medium.useFloor,
+    deep: medium.exponential || singleDepth(medium) > 0,
+    fixedStep: scene.fixedStep,
+    combined: scene.combined,
+    igor: scene.igor,
+  };
+}
+
+export function traceProgram(scene, light, quick)
+{
+  const features = featuresOfLight(scene, light);
+  return { key: keyOf(quick ? 'quick trace ' : 'trace ', features), text: () => traceText(features, quick) };
+}
+
+// For so many lights at once, of which one is given.
+export function gatherProgram(scene, light, wanted, count)
+{
+  const positional = !light.directional && (wanted.scatter || wanted.specular);
+  const features = { ...featuresOfLight(scene, light), positional };
+  const { surfaceNormal, tangentPlane } = features;
+  const key = keyOf('gather', { positional, surfaceNormal, tangentPlane, ...wanted });
+  return { key: `${key}${count}`, text: () => gatherText(features, wanted, count), positional };
+}
+
+export function composeProgram(first, later, sums, textures)
+{
+  const compose = {
+    sums, first, later,
+    baseTexture: Boolean(textures.base),
+    diffuseTexture: (sums.diffuse || sums.scatter) && Boolean(textures.diffuse),
+    specularTexture: sums.specular && Boolean(textures.specular),
+  };
+  const key = keyOf('compose', { ...sums, ...compose, sums: false });
+  return { key, text: () => composeText(compose), compose };
+}
+
+export const DISPLAY = { key: 'display', text: displayText };
+export const SUM = { key: 'sum', text: sumText };
