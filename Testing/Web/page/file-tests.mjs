@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files that are opened and saved.
+
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+
+import { AROUND, exrOf, floatTiff, half, heights16, heights8, hills, panorama, radianceOf, stripes } from './files.mjs';
+import {
+  COLUMNS, ROWS, alertOf, centre, compareWithNative, decode, downloadBy, encode, finish, give, near, open,
+  openHeights, pictureOf, sceneOf, settled, values,
+} from './harness.mjs';
+
+export const tests = {
+  // What is saved is what reliefshade makes of the saved scene, and links carry it.
+  async Scenes()
+  {
+    const page = await open();
+    const field = path.join(values.output, 'hills.png');
+    fs.writeFileSync(field, heights16);
+    await openHeights(page, 'hills.png', heights16);
+    await page.check('text=Point >> input');
+    await page.click('text="Add"');
+    await page.check('text=Sun >> input');
+    await page.locator('#panel input[type="color"] >> nth=0').fill('#ffc080');
+    await page.check('text=Light from all around >> input');
+    await page.evaluate(() => globalThis.reliefPage.changeScene(
+      { specularCoefficient: 0.3, specularPower: 6, subsurfaceDepth: 2.5, forwardScatterCoefficient: 0.2 }));
+    const scene = await downloadBy(page, 'Save scene');
+    const picture = await downloadBy(page, 'Save picture');
+    const saved = decode(fs.readFileSync(picture));
+    assert.deepEqual([saved.width, saved.height, saved.depth], [COLUMNS, ROWS, 8]);
+    compareWithNative(field, scene, saved);
+    const { worst, share } = await page.evaluate(() => globalThis.reliefPage.compare());
+    console.log(`what is shown and the exact sums differ by ${worst} of 255 at most, ${100 * share} % by more than 2`);
+    assert.ok(share <= 1e-3, `${share} of the samples differ`);
+
+    // Opened again, after other changes.
+    const kept = await sceneOf(page);
+    await page.click('#reset');
+    await give(page, () => page.click('text="Open scene…"'), 'scene.json', fs.readFileSync(scene));
+    const again = await downloadBy(page, 'Save scene');
+    assert.equal(fs.readFileSync(again, 'utf8'), fs.readFileSync(scene, 'utf8'));
+
+    // By a link, over an example.
+    await page.selectOption('#example', 'terrain');
+    await page.waitForFunction(() => globalThis.reliefPage.field.example === 'terrain');
+    await page.focus('#frame');
+    await page.keyboard.press('Shift+ArrowRight');
+    const moved = await sceneOf(page);
+    const link = await page.evaluate(() => globalThis.reliefPage.link());
+    await finish(page);
+    const other = await open({ hash: link.replace(/^[^#]*/, '') });
+    const { reliefScene, ...linked } = await sceneOf(other);
+    assert.equal(await other.evaluate(() => globalThis.reliefPage.field.example), 'terrain');
+    for (const key of ['azimuth', 'altitude', 'intensity'])
+    {
+      assert.equal(linked.lights[0][key] ?? 1, moved.lights[0][key] ?? 1);
+    }
+    assert.equal(linked.subsurfaceDepth, moved.subsurfaceDepth);
+    assert.ok(kept.environment);
+    await finish(other);
+    const bad = await open({ hash: '#nonsense' });
+    assert.match(await alertOf(bad), /The link has no scene/);
+    await finish(bad);
+  },
+
+  // Heights, textures, mask and environment of files; and files that are none.
+  async Files()
+  {
+    const page = await open();
+    const field = () => page.evaluate(() =>
+    {
+      const { width, height, spacing, origin, lengths, top } = globalThis.reliefPage.field;
+      return { width, height, spacing, origin, lengths, top };
+    });
+    await openHeights(page, 'eight.png', heights8);
+    assert.equal((await field()).width, COLUMNS);
+    await openHeights(page, 'deep.png', heights16);
+    assert.ok((await field()).top > 40000);
+    await openHeights(page, 'map.tif', floatTiff());
+    assert.deepEqual(await field(),
+      { ...(await field()), lengths: true, spacing: [2, 2], origin: [1001, 5000 - 2 * ROWS + 1] });
+    assert.equal(await alertOf(page), '');
+    const jpeg = Buffer.from(await page.evaluate(async () =>
+    {
+      const canvas = new OffscreenCanvas(40, 30);
+      const context = canvas.getContext('2d');
+      context.fillRect(0, 0, 20, 30);
+      return [...new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg' })).arrayBuffer())];
+    }));
+    await openHeights(page, 'photo.jpg', jpeg);
+    assert.equal((await field()).width, 40);
+
+    await openHeights(page, 'deep.png', heights16);
+    let before = await pictureOf(page);
+    for (const role of ['diffuse', 'mask', 'environment'])
+    {
+      if (role === 'environment')
+      {
+        await page.check('text=Light from all around >> input');
+        await page.evaluate(() => globalThis.reliefPage.changeEnvironment({ image: 'file', file: 'sky.png' }));
+      }
+      await give(page, () => page.click(`[data-drop="${role}"] button >> nth=0`), `${role}.png`,
+        role === 'mask' ? half : stripes);
+      assert.equal(await alertOf(page), '');
+      const after = await pictureOf(page);
+      assert.notEqual(after, before, `${role} does not show`);
+      before = after;
+    }
+    // The environment is turned by dragging, too.
+    await page.check('text=Drag turns the environment >> input');
+    const box = await centre(page);
+    await page.mouse.move(...box.at(0.3, 0.5));
+    await page.mouse.down();
+    await page.mouse.move(...box.at(0.6, 0.5));
+    await page.mouse.up();
+    assert.ok(Math.abs((await sceneOf(page)).environment.rotationZ - 54) < 3);
+    assert.notEqual(await pictureOf(page), before);
+
+    const huge = Buffer.from(heights8);
+    huge.writeUInt32BE(60000, 16);
+    huge.writeUInt32BE(60000, 20);
+    const bad = { 'text.txt': Buffer.from('no picture'), 'empty.png': Buffer.alloc(0),
+      'short.png': heights16.subarray(0, 2000), 'huge.png': huge, 'short.tif': floatTiff().subarray(0, 3000),
+      'head.png': heights16.subarray(0, 20) };
+    for (const [name, buffer] of Object.entries(bad))
+    {
+      await openHeights(page, name, buffer);
+      const text = await alertOf(page);
+      assert.ok(text.includes(name) && text.length < 200 && !text.includes('\n'), `${name}: ${text}`);
+      console.log(text);
+      assert.equal((await field()).width, COLUMNS, 'what was open stays');
+    }
+    for (const [name, text, says] of [['a.json', '{', /no JSON/], ['b.json', '{"reliefScene": 1, "tolerance": -1}', /tolerance/],
+      ['c.json', '[]', /reliefScene/]])
+    {
+      await give(page, () => page.click('text="Open scene…"'), name, Buffer.from(text));
+      assert.match(await alertOf(page), says);
+    }
+    // By dropping, where a scene's file is told by its name.
+    await page.evaluate((bytes) =>
+    {
+      const data = new DataTransfer();
+      data.items.add(new File([new Uint8Array(bytes)], 'dropped.png'));
+      document.querySelector('#stage').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true }));
+    }, [...heights8]);
+    await page.waitForFunction(() => globalThis.reliefPage.field.name === 'dropped.png');
+    assert.equal(await alertOf(page), '');
+    await finish(page);
+  },
+
+  // Pictures of linear light as environments, far away and nearby, and as heights.
+  async LinearFiles()
+  {
+    const page = await open();
+    const field = path.join(values.output, 'linear-hills.png');
+    fs.writeFileSync(field, heights16);
+    await openHeights(page, 'linear-hills.png', heights16);
+    await page.check('text=Shines >> input');
+    await page.uncheck('text=Shines >> input');
+    await page.check('text=Light from all around >> input');
+    await page.evaluate(() => globalThis.reliefPage.changeScene({ subsurfaceDepth: 2, exposure: -1.5 }));
+    const files = { 'around.exr': exrOf(panorama, AROUND, ['B', 'G', 'R']), 'around.hdr': radianceOf(panorama, AROUND) };
+    const means = [];
+    for (const [name, buffer] of Object.entries(files))
+    {
+      fs.writeFileSync(path.join(values.output, name), buffer);
+      await page.evaluate(() => globalThis.reliefPage.changeEnvironment({ image: 'file', file: 'missing' }));
+      await give(page, () => page.click('[data-drop="environment"] button >> nth=0'), name, buffer);
+      assert.equal(await alertOf(page), '');
+      for (const near of [false, true])
+      {
+        await page.setChecked('text=Infinitely far away >> input', !near);
+        if (near)
+        {
+          await page.getByLabel('Radius, number').fill('30');
+          await page.keyboard.press('Tab');
+        }
+        const scene = await downloadBy(page, 'Save scene');
+        const saved = decode(fs.readFileSync(await downloadBy(page, 'Save picture')));
+        compareWithNative(field, scene, saved);
+        means.push(saved.data.reduce((sum, code) => sum + code, 0) / saved.data.length);
+        const { worst, share } = await page.evaluate(() => globalThis.reliefPage.compare());
+        assert.ok(share <= 1e-3, `${name}, ${near}: ${share} of the samples differ, by ${worst}`);
+      }
+    }
+    assert.ok(Math.abs(means[0] - means[2]) < 2 && Math.abs(means[1] - means[3]) < 2, means.join(' '));
+    assert.ok(means.every((mean) => mean > 20 && mean < 235) && Math.abs(means[0] - means[1]) > 1, means.join(' '));
+
+    // Heights have their first row on top.
+    const ramp = Float32Array.from({ length: COLUMNS * ROWS }, (_, k) => Math.floor(k / COLUMNS) + 0.25 * (k % COLUMNS));
+    await openHeights(page, 'ramp.exr', exrOf(ramp, [COLUMNS, ROWS], ['Y']));
+    assert.equal(await alertOf(page), '');
+    const read = await page.evaluate(() => [...globalThis.reliefPage.field.heights]);
+    assert.ok(read.every((height, k) => Math.abs(height - ramp[k]) < 1e-4), `${read.slice(0, 3)}`);
+    const exr = files['around.exr'];
+    const huge = Buffer.from(exr);
+    huge.writeInt32LE(99999, exr.indexOf('dataWindow') + 21 + 8);
+    huge.writeInt32LE(99999, exr.indexOf('dataWindow') + 21 + 12);
+    for (const [name, buffer] of Object.entries({ 'short.exr': exr.subarray(0, 2000), 'head.exr': exr.subarray(0, 60), 'huge.exr': huge,
+      'short.hdr': files['around.hdr'].subarray(0, 1500), 'head.hdr': Buffer.from('#?RADIANCE\n') }))
+    {
+      await openHeights(page, name, buffer);
+      const text = await alertOf(page);
+      assert.ok(text.includes(name) && text.length < 200 && !text.includes('\n'), `${name}: ${text}`);
+      console.log(text);
+    }
+    await finish(page);
+  },
+
+  // Fields that no texture holds are shaded all the same, and it is said how.
+  async LargeFields()
+  {
+    const page = await open();
+    const host = () => page.evaluate(() => document.documentElement.dataset.host);
+    const most = await page.evaluate(() =>
+    {
+      const { gl } = globalThis.reliefPage.picture.host.renderer;
+      return gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    });
+    const width = most + 8;
+    const data = Uint16Array.from({ length: 6 * width }, (_, k) => 2000 * (1 + Math.sin((k % width) / 30)));
+    await openHeights(page, 'long.png', Buffer.from(encode({ data, width, height: 6, channels: 1, depth: 16 })));
+    await settled(page);
+    assert.equal(await host(), 'WebAssembly');
+    const text = await alertOf(page);
+    assert.ok(text.includes(`${most}`) && text.length < 200, text);
+    console.log(text);
+    const shown = await page.evaluate(() =>
+    {
+      const { canvas } = globalThis.reliefPage.picture;
+      const { data: pixels } = canvas.getContext('2d').getImageData(0, canvas.height / 2, canvas.width, 1);
+      return new Set(pixels.filter((_, k) => k % 4 === 0)).size;
+    });
+    assert.ok(shown > 10, `${shown} shades are seen`);
+    // Only as long as it is needed.
+    await openHeights(page, 'hills.png', heights16);
+    await settled(page);
+    assert.equal(await host(), 'WebGL 2');
+    assert.equal(await alertOf(page), '');
+    await finish(page);
+  },
+
+  // An automatic exposure is that of all samples, whatever is seen.
+  async Exposure()
+  {
+    const page = await open();
+    const field = path.join(values.output, 'exposed-hills.png');
+    fs.writeFileSync(field, heights16);
+    await openHeights(page, 'exposed-hills.png', heights16);
+    await page.check('text=Point >> input');
+    await page.evaluate(() =>
+    {
+      const { reliefPage } = globalThis;
+      const { position } = reliefPage.state.scene.lights[0];
+      reliefPage.changeLight({ ...reliefPage.state.scene.lights[0], position: [10, 10, position[2] / 4], intensity: 0.3 });
+      reliefPage.changeScene({ exposure: 'auto', diffuseColor: [0.6, 0.5, 0.4] });
+      reliefPage.view.zoomBy(6, [5, 5]);
+    });
+    await settled(page);
+    const { stops, exposure } = await page.evaluate(async () => ({
+      stops: globalThis.reliefPage.picture.host.renderer.stops, exposure: (await globalThis.reliefPage.exact()).statistics.exposure,
+    }));
+    const codes = (exponent, x) => 255 * (1.055 * Math.min(x * 2 ** exponent, 1) ** (1 / 2.4) - 0.055);
+    let worst = 0;
+    for (let x = 0.004; x < 1; x *= 1.1)
+    {
+      worst = Math.max(worst, Math.abs(codes(stops, x) - codes(exposure, x)));
+    }
+    console.log(`${stops} stops, ${exposure} for the exact picture: ${worst.toFixed(3)} of 255`);
+    assert.ok(Math.abs(exposure) > 0.2 && worst <= 0.5, `${stops}, ${exposure}`);
+    const scene = await downloadBy(page, 'Save scene');
+    compareWithNative(field, scene, decode(fs.readFileSync(await downloadBy(page, 'Save picture'))));
+    // What moves does so by the one that was, and what rests has its own.
+    await page.evaluate(() => globalThis.reliefPage.changeScene({ diffuseColor: [0.2, 0.2, 0.2] }));
+    await settled(page);
+    const after = await page.evaluate(() => globalThis.reliefPage.picture.host.renderer.stops);
+    assert.ok(after > stops + 0.5, `${after} stops for what is darker`);
+    await finish(page);
+  },
+};

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Files that tests open in the page.
+
+import { COLUMNS, encode, ROWS } from './harness.mjs';
+
+export function hills(most)
+{
+  return Uint16Array.from({ length: COLUMNS * ROWS }, (_, k) =>
+  {
+    const [i, j] = [k % COLUMNS, Math.floor(k / COLUMNS)];
+    return most * (0.5 + 0.3 * Math.sin(i / 9 + Math.cos(j / 13)) + 0.2 * Math.sin(i / 5 - j / 7));
+  });
+}
+
+export const png = (data, channels, depth) => Buffer.from(encode({ data, width: COLUMNS, height: ROWS, channels, depth }));
+export const heights16 = png(hills(60000), 1, 16);
+export const heights8 = png(Uint8Array.from(hills(250)), 1, 8);
+export const stripes = png(Uint8Array.from({ length: 3 * COLUMNS * ROWS }, (_, k) => (k % 3 === 0 || k % 90 < 45 ? 255 : 30)), 3, 8);
+export const half = png(Uint8Array.from({ length: COLUMNS * ROWS }, (_, k) => (k % COLUMNS < COLUMNS / 2 ? 255 : 0)), 1, 8);
+
+// A TIFF of one strip of floats, little-endian, 2 units a sample.
+export function floatTiff()
+{
+  const data = Float32Array.from(hills(60), (h) => h / 2);
+  const doubles = Buffer.alloc(72);
+  [2, 2, 0].forEach((value, k) => doubles.writeDoubleLE(value, 8 * k));
+  [0, 0, 0, 1000, 5000, 0].forEach((value, k) => doubles.writeDoubleLE(value, 24 + 8 * k));
+  const entries = [[256, 3, 1, COLUMNS], [257, 3, 1, ROWS], [258, 3, 1, 32], [259, 3, 1, 1], [262, 3, 1, 1],
+    [273, 4, 1, 0], [277, 3, 1, 1], [278, 3, 1, ROWS], [279, 4, 1, data.byteLength], [339, 3, 1, 3],
+    [33550, 12, 3, 0], [33922, 12, 6, 0]];
+  const begin = 8 + 2 + 12 * entries.length + 4;
+  entries[5][3] = begin + 72;
+  entries[10][3] = begin;
+  entries[11][3] = begin + 24;
+  const head = Buffer.alloc(begin);
+  head.write('II', 0);
+  head.writeUInt16LE(42, 2);
+  head.writeUInt32LE(8, 4);
+  head.writeUInt16LE(entries.length, 8);
+  entries.forEach(([tag, type, count, value], k) =>
+  {
+    const at = 10 + 12 * k;
+    head.writeUInt16LE(tag, at);
+    head.writeUInt16LE(type, at + 2);
+    head.writeUInt32LE(count, at + 4);
+    head.writeUInt32LE(value, at + 8);
+  });
+  return Buffer.concat([head, doubles, Buffer.from(data.buffer)]);
+}
+
+// A panorama, floats of red, green and blue from the top: a bright place in the east, a dim one in the south-west.
+export const AROUND = [32, 16];
+export const panorama = Float32Array.from({ length: 3 * AROUND[0] * AROUND[1] }, (_, k) =>
+{
+  const [i, j, c] = [Math.floor(k / 3) % AROUND[0], Math.floor(k / 3 / AROUND[0]), k % 3];
+  return 0.1 + (i < 4 && j < 7 ? [9, 5, 2][c] : 0) + (i > 18 && i < 23 && j > 2 && j < 8 ? [0.5, 1, 2][c] : 0);
+});
+
+// An OpenEXR file of scanlines that are not compressed, its channels as it has them, in the order of their names.
+export function exrOf(values, [columns, rows], names)
+{
+  const text = (string) => Buffer.from(`${string}\0`, 'latin1');
+  const ints = (...numbers) => Buffer.from(Int32Array.from(numbers).buffer);
+  const attribute = (name, type, ...parts) =>
+  {
+    const value = Buffer.concat(parts);
+    return Buffer.concat([text(name), text(type), ints(value.length), value]);
+  };
+  const channels = names.flatMap((name) => [text(name), ints(2, 0, 1, 1)]);
+  const box = ints(0, 0, columns - 1, rows - 1);
+  const head = Buffer.concat([Buffer.from([0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0]),
+    attribute('channels', 'chlist', ...channels, Buffer.from([0])), attribute('compression', 'compression', Buffer.from([0])),
+    attribute('dataWindow', 'box2i', box), attribute('displayWindow', 'box2i', box),
+    attribute('lineOrder', 'lineOrder', Buffer.from([0])),
+    attribute('pixelAspectRatio', 'float', Buffer.from(Float32Array.of(1).buffer)),
+    attribute('screenWindowCenter', 'v2f', Buffer.from(Float32Array.of(0, 0).buffer)),
+    attribute('screenWindowWidth', 'float', Buffer.from(Float32Array.of(1).buffer)), Buffer.from([0])]);
+  const size = names.length * columns * 4;
+  const offsets = Buffer.alloc(8 * rows);
+  const lines = [];
+  for (let j = 0; j < rows; ++j)
+  {
+    offsets.writeBigUInt64LE(BigInt(head.length + 8 * rows + j * (size + 8)), 8 * j);
+    // Blue comes before green and red.
+    const planes = names.map((_, c) => Buffer.from(Float32Array.from({ length: columns }, (__, i) =>
+      values[names.length * (j * columns + i) + names.length - 1 - c]).buffer));
+    lines.push(ints(j, size), ...planes);
+  }
+  return Buffer.concat([head, offsets, ...lines]);
+}
+
+// A Radiance picture without repetitions, of half the values, which its exposure makes up for.
+export function radianceOf(values, [columns, rows])
+{
+  const head = Buffer.from(`#?RADIANCE\nEXPOSURE=0.5\nFORMAT=32-bit_rle_rgbe\n\n-Y ${rows} +X ${columns}\n`, 'latin1');
+  const lines = [];
+  for (let j = 0; j < rows; ++j)
+  {
+    const planes = [0, 1, 2, 3].map(() => Buffer.alloc(columns));
+    for (let i = 0; i < columns; ++i)
+    {
+      const color = [0, 1, 2].map((c) => values[3 * (j * columns + i) + c] / 2);
+      const exponent = Math.floor(Math.log2(Math.max(...color))) + 1;
+      color.forEach((value, c) => { planes[c][i] = Math.floor((value / 2 ** exponent) * 256); });
+      planes[3][i] = exponent + 128;
+    }
+    lines.push(Buffer.from([2, 2, columns >> 8, columns & 255]),
+      ...planes.flatMap((plane) => [Buffer.from([columns]), plane]));
+  }
+  return Buffer.concat([head, ...lines]);
+}

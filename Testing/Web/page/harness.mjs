@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The page of Examples/Web in a headless browser, and what tests do with it. The arguments are those of run.mjs.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+
+import { launch, serve } from '../webgl/browser.mjs';
+
+export const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: Object.fromEntries(['page', 'browser', 'chromium', 'libraries', 'output', 'reliefshade']
+    .map((name) => [name, { type: 'string' }])),
+});
+export const { encode, decode } = await import(
+  pathToFileURL(path.join(values.libraries, 'node_modules', 'fast-png', 'lib', 'index.js')));
+fs.mkdirSync(values.output, { recursive: true });
+
+export const COLUMNS = 96;
+export const ROWS = 80;
+export const PATIENCE = 120000; // milliseconds, of machines that have other work
+
+//--------------------------------------------------------------------------------------------------
+// The page, with no other address to be reached.
+
+export const browser = await launch(values.browser, values.chromium);
+export const server = await serve({ page: values.page });
+export const address = `${server.url}page/index.html`;
+
+export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', ...rest } = {})
+{
+  const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...rest });
+  const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
+  page.complaints = [];
+  page.on('console', (message) =>
+  {
+    const text = message.text();
+    if (['error', 'warning'].includes(message.type()) && !text.includes('GPU stall due to ReadPixels'))
+    {
+      page.complaints.push(text);
+    }
+  });
+  page.on('pageerror', (error) => page.complaints.push(String(error)));
+  await context.route((url) => url.origin !== new URL(server.url).origin && url.protocol.startsWith('http'), (route) =>
+  {
+    page.complaints.push(`asks for ${route.request().url()}`);
+    return route.abort();
+  });
+  await page.goto(`${address}${query}${hash}`);
+  await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: PATIENCE });
+  return page;
+}
+
+export const settled = (page) => page.evaluate(() => globalThis.reliefPage.picture.settled());
+export const sceneOf = (page) => page.evaluate(() => globalThis.reliefPage.state.scene);
+export const alertOf = (page) => page.evaluate(() => document.querySelector('#alert:not([hidden]) span')?.textContent ?? '');
+
+// A number that another picture hardly has.
+export async function pictureOf(page)
+{
+  await settled(page);
+  return page.evaluate(() =>
+  {
+    const { canvas } = globalThis.reliefPage.picture;
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    const { renderer } = globalThis.reliefPage.picture.host;
+    if (renderer)
+    {
+      return renderer.readPixels().data.reduce((sum, c, k) => (sum * 31 + c * (k % 97)) % 1000000007, 7);
+    }
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    return data.reduce((sum, c, k) => (sum * 31 + c * (k % 97)) % 1000000007, 7);
+  });
+}
+
+// By the page's own dialog of files.
+export async function give(page, click, name, buffer)
+{
+  const chosen = page.waitForEvent('filechooser');
+  await click();
+  await (await chosen).setFiles({ name, mimeType: 'application/octet-stream', buffer });
+  await page.waitForTimeout(50);
+  await page.waitForFunction(() => !document.body.hasAttribute('aria-busy'));
+}
+
+export const openHeights = (page, name, buffer) => give(page, () => page.click('#open'), name, buffer);
+
+export async function downloadBy(page, button)
+{
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`text="${button}"`)]);
+  const file = path.join(values.output, download.suggestedFilename());
+  await download.saveAs(file);
+  return file;
+}
+
+// Where the relief is: at(u, v) is a place on it, as a share from the left and from the top.
+export const centre = async (page) =>
+{
+  const box = await page.locator('#frame').boundingBox();
+  const [[left, top], [width, height]] = await page.evaluate(() =>
+  {
+    const { view } = globalThis.reliefPage;
+    return [view.toPixels([0, 0]), view.size];
+  });
+  const [x, y] = [box.x + left, box.y + top];
+  return { x, y, width, height, at: (u, v) => [x + u * width, y + v * height] };
+};
+
+export const viewOf = (page) => page.evaluate(() =>
+{
+  const { zoom, center } = globalThis.reliefPage.view;
+  return { zoom, center: [...center] };
+});
+
+export const near = (a, b, most) => a.every((c, k) => Math.abs(c - b[k]) <= most);
+
+// What reliefshade makes of the files of heights and of a scene; null where there is no reliefshade.
+export function nativePicture(field, scene)
+{
+  if (!values.reliefshade)
+  {
+    console.log('reliefshade is not there to be compared with');
+    return null;
+  }
+  const file = path.join(values.output, `native-${positionals[0]}.png`);
+  const result = spawnSync(values.reliefshade, [field, file, '--scene', scene], { encoding: 'utf8' });
+  assert.equal(result.status, 0, result.stderr);
+  return decode(fs.readFileSync(file));
+}
+
+// How far two pictures of any number of channels are apart, sample by sample.
+export function distances(a, b)
+{
+  assert.deepEqual([a.width, a.height], [b.width, b.height]);
+  const at = (image, k, c) => image.data[image.channels * k + Math.min(c, image.channels - 1)];
+  return Uint8Array.from({ length: a.width * a.height }, (_, k) =>
+    Math.max(...[0, 1, 2].map((c) => Math.abs(at(a, k, c) - at(b, k, c)))));
+}
+
+// Whether what the page has saved is what reliefshade makes.
+export function compareWithNative(field, scene, saved)
+{
+  const made = nativePicture(field, scene);
+  if (made)
+  {
+    const worst = Math.max(...distances(saved, made));
+    console.log(`the saved picture and that of reliefshade --scene differ by ${worst} of 255 at most`);
+    assert.ok(worst <= 2, `${worst} of 255`);
+  }
+}
+
+export async function finish(page)
+{
+  assert.deepEqual(page.complaints, [], 'the page complains');
+  await page.context().close();
+}
