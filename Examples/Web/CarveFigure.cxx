@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Carves the owl of the gallery for the page, standing on level ground, as a grey picture of 16 bits (PGM) whose
-// comment has the spacing and the height of white, in the unit in which the picture is 2 wide.
+// Carves the owl of the gallery for the page, standing on level ground, as a grey picture of 16
+// bits (PGM) whose comment has the spacing and the height of white, in the unit in which the
+// picture is 2 wide.
 #include "Sculpture.h"
 
 #include <algorithm>

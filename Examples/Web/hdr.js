@@ -30,7 +30,7 @@ function isWhole(bytes, at, width, height) {
   let next = at;
   for (let row = 0; row < height; ++row) {
     next += 4;
-    for (let k = 0; k < 4 * width; ) {
+    for (let k = 0; k < 4 * width;) {
       const count = bytes[next];
       const repeated = count > 128;
       k += repeated ? count - 128 : count;

@@ -107,9 +107,7 @@ export class LightDots {
   // Those that are out of sight stay at the rim, to be caught.
   placeOf(light) {
     const { view, field } = this.page;
-    return view
-      .toPixels(placeOfLight(light, field))
-      .map((c, k) => Math.min(Math.max(c, 0), view.room[k]));
+    return view.toPixels(placeOfLight(light, field)).map((c, k) => Math.min(Math.max(c, 0), view.room[k]));
   }
 
   /** The number of the light whose dot is near a place in pixels, or null. */

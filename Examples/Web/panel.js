@@ -189,7 +189,9 @@ export class Panel {
   presetSection() {
     const group = wide(
       ...["default", ...presetNames.filter((name) => name !== "default")].map((name) =>
-        button(capital(name), `${presetHelp[name]}, in place of the lights`, () => this.page.applyPreset(name)),
+        button(capital(name), `${presetHelp[name]}, in place of the lights`, () =>
+          this.page.applyPreset(name),
+        ),
       ),
     );
     group.setAttribute("role", "group");

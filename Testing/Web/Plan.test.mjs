@@ -29,14 +29,27 @@ test("a sun is planned as it stands, and its disc as lights that sum to it", asy
   assert.equal(one.medium.depth, 2.5); // the mean of the spacing
   const color = [1, 0.5, 0.25];
   const disc = await planScene(
-    { suns: [{ azimuth: 90, altitude: 30, angularDiameter: 10, color, intensity: 2 }], numberOfSunSamples: 12 },
+    {
+      suns: [{ azimuth: 90, altitude: 30, angularDiameter: 10, color, intensity: 2 }],
+      numberOfSunSamples: 12,
+    },
     bounds,
   );
   assert.equal(disc.lights.length, 12);
   assert.ok(disc.lights.every((light) => !light.one));
-  assert.ok(near(total(disc.lights, (light) => light.radiance), [2, 1, 0.5]));
+  assert.ok(
+    near(
+      total(disc.lights, (light) => light.radiance),
+      [2, 1, 0.5],
+    ),
+  );
   const middle = total(disc.lights, (light) => light.vector);
-  assert.ok(near(middle.map((c) => c / Math.hypot(...middle)), one.lights[0].vector));
+  assert.ok(
+    near(
+      middle.map((c) => c / Math.hypot(...middle)),
+      one.lights[0].vector,
+    ),
+  );
 });
 
 test("lamps stand above the datum and in the frame of the south-western sample", async () => {
@@ -56,14 +69,29 @@ test("an environment is lights far away, or on a sphere about the middle", async
   const far = await planScene({ environment, sun: [315, 45] }, bounds);
   assert.ok(far.lights.length > 8 && far.lights.slice(1).every((light) => light.directional && !light.one));
   const brighter = await planScene({ environment: { ...environment, intensity: 1 } }, bounds);
-  assert.ok(near(brighter.lights[0].radiance, far.lights[1].radiance.map((c) => 2 * c)));
+  assert.ok(
+    near(
+      brighter.lights[0].radiance,
+      far.lights[1].radiance.map((c) => 2 * c),
+    ),
+  );
   const close = await planScene({ environment: { ...environment, radius: 100 } }, bounds);
-  const center = [((width - 1) * spacing[0]) / 2, ((height - 1) * spacing[1]) / 2, (bounds.bottom + bounds.top) / 2];
+  const center = [
+    ((width - 1) * spacing[0]) / 2,
+    ((height - 1) * spacing[1]) / 2,
+    (bounds.bottom + bounds.top) / 2,
+  ];
   for (const [k, light] of close.lights.entries()) {
     assert.ok(light.positional && !light.directional);
     const away = light.traced.map((c, axis) => c - center[axis]);
     assert.ok(Math.abs(Math.hypot(...away) - 100) < 1e-3);
-    assert.ok(near(away.map((c) => c / 100), far.lights[k + 1].vector, 1e-5));
+    assert.ok(
+      near(
+        away.map((c) => c / 100),
+        far.lights[k + 1].vector,
+        1e-5,
+      ),
+    );
   }
 });
 
@@ -84,7 +112,10 @@ test("what is wrong with a plan is said", async () => {
   await assert.rejects(planScene({ tolerance: -1 }, bounds), { name: "RangeError", message: /tolerance/ });
   await assert.rejects(planScene({}, { ...bounds, bottom: -3e38, top: 3e38 }), /reach from/);
   await assert.rejects(planScene({}, undefined), { name: "TypeError", message: /bounds/ });
-  await assert.rejects(planScene({}, { ...bounds, top: "high" }), { name: "TypeError", message: /bounds\.top/ });
+  await assert.rejects(planScene({}, { ...bounds, top: "high" }), {
+    name: "TypeError",
+    message: /bounds\.top/,
+  });
   await assert.rejects(planScene({ heightScale: "auto" }, bounds), /fitHeightScale/);
   await assert.rejects(planScene({ sunn: [1, 2] }, bounds), /did you mean/);
 });
@@ -111,5 +142,8 @@ test("an exposure is found without a picture", async () => {
   assert.equal(await findExposure(heights, { ...options, exposure: "auto" }), statistics.exposure);
   assert.ok(statistics.exposure > 1);
   assert.equal(await findExposure(heights, { ...options, exposure: -1.5 }), -1.5);
-  assert.equal(await findExposure(new Float32Array(4).fill(NaN), { width: 2, height: 2, exposure: "auto" }), 0);
+  assert.equal(
+    await findExposure(new Float32Array(4).fill(NaN), { width: 2, height: 2, exposure: "auto" }),
+    0,
+  );
 });

@@ -128,7 +128,16 @@ function makePackage(table, folder, version, readme, license) {
       `export const parameters = ${rows};\n`,
   );
   write("index.d.ts", makeTypes(table));
-  const scripts = ["index.js", "module.js", "options.js", "plan.js", "scene.js", "shader.js", "values.js", "worker.js"];
+  const scripts = [
+    "index.js",
+    "module.js",
+    "options.js",
+    "plan.js",
+    "scene.js",
+    "shader.js",
+    "values.js",
+    "worker.js",
+  ];
   for (const name of scripts) {
     copyFileSync(join(sources, name), join(folder, name));
   }

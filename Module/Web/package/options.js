@@ -129,9 +129,7 @@ export async function presetOptions(preset, presetLights) {
     const place = environment.image === "clearSky" ? { azimuth, altitude } : {};
     options.environment = { ...rest, ...place, sampling: wordOf(environmentRows, "sampling", sampling) };
   }
-  return response === undefined
-    ? options
-    : { ...options, response: wordOf(sceneRows, "response", response) };
+  return response === undefined ? options : { ...options, response: wordOf(sceneRows, "response", response) };
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -20,7 +20,9 @@ async function lightsAround({ scene, parameters }) {
   const key = JSON.stringify(rest);
   if (key !== last.key || picture?.data !== last.picture) {
     // The plan multiplies by the intensity.
-    const plain = parameters.map((value, k) => (numbered[k].owner === "environment" && numbered[k].key === "intensity" ? [1, 0, 0] : value));
+    const plain = parameters.map((value, k) =>
+      numbered[k].owner === "environment" && numbered[k].key === "intensity" ? [1, 0, 0] : value,
+    );
     const lights = await environmentLights({ environment, parameters: plain });
     last = { picture: picture?.data, key, lights };
   }

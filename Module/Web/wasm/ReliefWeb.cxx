@@ -412,8 +412,8 @@ RELIEF_EXPORT const double* reliefEnvironmentNumbers()
 }
 
 // A light that stands for the environment, as reliefEnvironmentLights() has found it.
-RELIEF_EXPORT void reliefSample(double x, double y, double z, double r, double g, double b,
-  double weight, double toleranceScale)
+RELIEF_EXPORT void reliefSample(
+  double x, double y, double z, double r, double g, double b, double weight, double toleranceScale)
 {
   Light light;
   light.vector = { x, y, z };
@@ -427,8 +427,8 @@ RELIEF_EXPORT void reliefSample(double x, double y, double z, double r, double g
 // has it. Returns what is wrong.
 RELIEF_EXPORT const char* reliefPlan(double least, double greatest, int floats)
 {
-  TheRun->wrong = PlanNumbers(
-    TheRun->scene, TheRun->heights, { least, greatest, floats != 0 }, TheRun->plan);
+  TheRun->wrong =
+    PlanNumbers(TheRun->scene, TheRun->heights, { least, greatest, floats != 0 }, TheRun->plan);
   return TheRun->wrong.c_str();
 }
 
