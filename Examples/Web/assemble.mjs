@@ -4,6 +4,7 @@
 //
 //     node assemble.mjs SOURCE PACKAGE WEBGL NODE_MODULES TERRAIN FIGURE OUTPUT
 
+import { createHash } from "node:crypto";
 import {
   copyFileSync,
   cpSync,
@@ -26,6 +27,7 @@ const pageFiles = [
   "index.html",
   "style.css",
   "main.js",
+  "offline.js",
   "history.js",
   "scene.js",
   "geodesy.js",
@@ -234,7 +236,7 @@ function preload() {
   const file = join(output, "index.html");
   const scripts = (folder) =>
     readdirSync(join(output, folder))
-      .filter((name) => name.endsWith(".js") && !/worker\.js$|^hdr\.js$/.test(name))
+      .filter((name) => name.endsWith(".js") && !/worker\.js$|^hdr\.js$|^offline\.js$/.test(name))
       .map((name) => (folder ? `${folder}/${name}` : name));
   const modules = ["", "reliefshading", "webgl"]
     .flatMap(scripts)
@@ -246,6 +248,34 @@ function preload() {
     throw new Error("index.html has no place for what is asked for first");
   }
   writeFileSync(file, filled);
+}
+
+// What is kept for when there is no network: all but what few need. A build is known by what is in its files.
+function listForOffline() {
+  const file = join(output, "offline.js");
+  const names = [];
+  const hash = createHash("sha256");
+  const walk = (below) => {
+    for (const entry of readdirSync(join(output, below), { withFileTypes: true })) {
+      const name = below ? `${below}/${entry.name}` : entry.name;
+      if (entry.isDirectory()) {
+        walk(name);
+      } else {
+        hash.update(name).update(readFileSync(join(output, name)));
+        names.push(name);
+      }
+    }
+  };
+  walk("");
+  const seldom = /^libraries\/three\/|\.(ts|json|md|txt)$|LICENSE$|^offline\.js$/;
+  const kept = names.filter((name) => !seldom.test(name) || name === "examples/examples.json");
+  const text = readFileSync(file, "utf8")
+    .replace('const build = ""; // filled in', `const build = "${hash.digest("hex").slice(0, 16)}";`)
+    .replace("const files = []; // filled in", `const files = ${JSON.stringify(kept)};`);
+  if (text.includes("filled in")) {
+    throw new Error("offline.js has no place for the files that are kept");
+  }
+  writeFileSync(file, text);
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -260,5 +290,6 @@ readdirSync(webgl)
 copyLibraries();
 await writeExamples();
 preload();
+listForOffline();
 // Last: what the build looks at to see whether all is there.
 writeFileSync(join(output, "assembled"), "");

@@ -562,3 +562,6 @@ await page.guard(() => page.openLink());
 await page.picture.first;
 page.firstPicture = performance.now() - begin;
 document.documentElement.dataset.ready = "true";
+
+// For when there is no network; where that cannot be, the page goes on without.
+navigator.serviceWorker?.register(new URL("offline.js", import.meta.url)).catch(() => {});

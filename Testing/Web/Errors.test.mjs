@@ -112,7 +112,7 @@ test("other mistakes are TypeErrors, with a suggestion where there is one", asyn
     [{ lamp: { position: [0, 0, 1], angularDiameter: 1 } }, /^lamp.angularDiameter: there is no such option/],
     [
       { preset: "sky" },
-      /^preset: "sky" was given, "multidirectional", "sky-dome", .* or "igor" is expected$/,
+      /^preset: "sky" was given, "multidirectional", "sky-dome", .* "igor" or "default" is expected$/,
     ],
     [{ preset: "igor", sun: [1, 2] }, /^sun: the preset "igor" brings its own; place it by preset:/],
     [{ preset: { name: "sky-dome", azimuth: 1 } }, /^preset: "sky-dome" has no sun to be placed/],

@@ -280,4 +280,23 @@ export const tests = {
     assert.ok(after > stops + 0.5, `${after} stops for what is darker`);
     await finish(page);
   },
+
+  // Once it was opened the page goes on without a network, even from the beginning.
+  async Offline()
+  {
+    const page = await open({ query: '?host=wasm', serviceWorkers: 'allow' });
+    await page.waitForFunction(() => navigator.serviceWorker.controller);
+    await page.context().setOffline(true);
+    assert.equal(await page.evaluate(() => fetch('nowhere').then(() => 'there', () => 'gone')), 'gone');
+    page.complaints = []; // of that
+    await page.reload();
+    await page.waitForFunction(() => document.documentElement.dataset.ready);
+    await page.selectOption('#example', 'terrain');
+    await page.waitForFunction(() => globalThis.reliefPage.field.example === 'terrain');
+    await openHeights(page, 'map.tif', floatTiff());
+    assert.equal(await alertOf(page), '');
+    const saved = decode(fs.readFileSync(await downloadBy(page, 'Save picture')));
+    assert.deepEqual([saved.width, saved.height], [COLUMNS, ROWS]);
+    await finish(page);
+  },
 };

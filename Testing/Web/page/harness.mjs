@@ -31,16 +31,20 @@ export const browser = await launch(values.browser, values.chromium);
 export const server = await serve({ page: values.page });
 export const address = `${server.url}page/index.html`;
 
+// What the driver says of reading back, and what drives the browser of what it was told.
+const expected = /GPU stall due to ReadPixels|Service Worker registration blocked/;
+
 export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', ...rest } = {})
 {
-  const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...rest });
+  const context = await browser.newContext(
+    { viewport: { width, height }, acceptDownloads: true, serviceWorkers: 'block', ...rest });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
   page.complaints = [];
   page.on('console', (message) =>
   {
     const text = message.text();
-    if (['error', 'warning'].includes(message.type()) && !text.includes('GPU stall due to ReadPixels'))
+    if (['error', 'warning'].includes(message.type()) && !expected.test(text))
     {
       page.complaints.push(text);
     }

@@ -2,7 +2,7 @@
 //
 // How long a field of 512 x 512 takes in a headless browser whose graphics processor is software. No test:
 //
-//     node measure.mjs --modules FOLDER --browser FOLDER --chromium FILE
+//     node measure.mjs --modules FOLDER --package FOLDER --browser FOLDER --chromium FILE
 
 import fs from 'node:fs';
 import os from 'node:os';
@@ -13,7 +13,8 @@ import { parseArgs } from 'node:util';
 import { launch, openPage, serve } from './browser.mjs';
 
 const { values } = parseArgs({
-  options: { modules: { type: 'string' }, browser: { type: 'string' }, chromium: { type: 'string' } },
+  options: Object.fromEntries(
+    ['modules', 'package', 'browser', 'chromium'].map((name) => [name, { type: 'string' }])),
 });
 const SIZE = 512;
 
@@ -39,7 +40,7 @@ const data = fs.mkdtempSync(path.join(os.tmpdir(), 'relief-measure-'));
 fs.writeFileSync(path.join(data, 'heights.raw'), makeHeights());
 const browser = await launch(values.browser, values.chromium);
 const server = await serve({
-  modules: values.modules, data, tests: path.dirname(fileURLToPath(import.meta.url)),
+  modules: values.modules, package: values.package, data, tests: path.dirname(fileURLToPath(import.meta.url)),
 });
 // The browser is warm, as it is when somebody opens a page.
 await openPage(browser, server.url);
