@@ -284,7 +284,7 @@ export const tests = {
   // Once it was opened the page goes on without a network, even from the beginning.
   async Offline()
   {
-    const page = await open({ query: '?host=wasm', serviceWorkers: 'allow' });
+    const page = await open({ query: '?host=wasm', serviceWorkers: 'allow', small: false });
     await page.waitForFunction(() => navigator.serviceWorker.controller);
     await page.context().setOffline(true);
     assert.equal(await page.evaluate(() => fetch('nowhere').then(() => 'there', () => 'gone')), 'gone');

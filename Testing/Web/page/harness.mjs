@@ -34,7 +34,21 @@ export const address = `${server.url}page/index.html`;
 // What the driver says of reading back, and what drives the browser of what it was told.
 const expected = /GPU stall due to ReadPixels|Service Worker registration blocked/;
 
-export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', ...rest } = {})
+// A small relief before the page's own examples, which take a graphics processor in software long.
+async function beginSmall(context)
+{
+  const { heights16 } = await import('./files.mjs');
+  const own = JSON.parse(fs.readFileSync(path.join(values.page, 'examples', 'examples.json'), 'utf8'));
+  const small = {
+    name: 'small', label: 'Small', file: 'small.png', field: { lengths: false, spacing: [1, 1], origin: [0, 0] },
+    scene: { heightScale: 0.0003, lights: [{ kind: 'sun', azimuth: 315, altitude: 35 }] },
+  };
+  await context.route('**/examples/examples.json', (route) => route.fulfill({ json: [small, ...own] }));
+  await context.route('**/examples/small.png', (route) => route.fulfill({ body: heights16, contentType: 'image/png' }));
+}
+
+// The page, with the examples that it has or with a small one before them.
+export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', small = true, ...rest } = {})
 {
   const context = await browser.newContext(
     { viewport: { width, height }, acceptDownloads: true, serviceWorkers: 'block', ...rest });
@@ -55,6 +69,10 @@ export async function open({ width = 620, height = 420, query = '?host=webgl', h
     page.complaints.push(`asks for ${route.request().url()}`);
     return route.abort();
   });
+  if (small)
+  {
+    await beginSmall(context);
+  }
   await page.goto(`${address}${query}${hash}`);
   await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: PATIENCE });
   return page;

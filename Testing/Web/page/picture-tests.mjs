@@ -199,7 +199,7 @@ export const tests = {
       const begin = Date.now();
       // Without a graphics processor the page itself chooses the other host.
       const query = name === 'phone' ? '?host=webgl' : '';
-      const page = await open({ width, height, query, colorScheme: name === 'tablet' ? 'dark' : 'light' });
+      const page = await open({ width, height, query, small: false, colorScheme: name === 'tablet' ? 'dark' : 'light' });
       console.log(`${name}: first picture after ${(await page.evaluate(() => globalThis.reliefPage.firstPicture)).toFixed(0)} ms`);
       const [wide, frame] = await page.evaluate(() =>
         [document.documentElement.scrollWidth, document.querySelector('#frame').getBoundingClientRect().toJSON()]);
