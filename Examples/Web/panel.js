@@ -445,6 +445,13 @@ export class Panel {
       this.shows.push(() => control.show(environment()?.[key] ?? usualOf(parameter)));
       return control.element;
     };
+    const sampling = rowOf("environment", "sampling");
+    const spread = select({
+      label: sampling.label,
+      title: titleOf(sampling),
+      options: sampling.choices.map(({ word }) => [word, capital(word)]),
+      onChange: (value) => page.changeEnvironment({ sampling: value }),
+    });
     const turning = check({
       label: "Drag turns the environment",
       title: "Dragging over the picture, and arrow keys, turn the environment instead of moving a light",
@@ -485,6 +492,7 @@ export class Panel {
       number("rotationZ"),
       number("tilt"),
       number("numberOfSamples"),
+      spread.element,
       far.element,
       distance.element,
       turning.element,
@@ -497,6 +505,7 @@ export class Panel {
       rows[1].hidden = given?.image !== "file";
       rows[2].hidden = given?.image !== "clearSky";
       sky.show(given?.altitude ?? 45);
+      spread.show(given?.sampling ?? usualOf(sampling));
       const infinite = typeof (given?.radius ?? usualOf(radius)) !== "number";
       far.show(infinite);
       distance.element.hidden = given === null || infinite;
@@ -510,12 +519,15 @@ export class Panel {
   pictureSection() {
     const { page } = this;
     const automatic = () => page.state.scene.exposure === "auto";
+    const stepping = () => page.state.scene.integrator === "fixed-step";
     return section(
       "Picture",
       this.number("scene", "exposure", null, { active: () => !automatic() }),
       this.automatic("scene", "exposure", "Automatic exposure", automatic, () => 0),
-      this.number("scene", "tolerance"),
       this.number("scene", "numberOfSunSamples"),
+      this.choice("scene", "integrator"),
+      this.number("scene", "tolerance", null, { active: () => !stepping() }),
+      this.number("scene", "numberOfSteps", null, { active: stepping }),
     );
   }
 

@@ -9,6 +9,7 @@ import { ReliefRenderer } from "./webgl/relief-gl.js";
 const seconds = 0.03; // for a frame
 const calm = 160; // milliseconds without a change, after which the picture becomes as good as it gets
 const coarseSamples = 60000; // of a picture while something moves, in a worker
+const patience = 6000; // milliseconds in which a lost context may come back
 const mostWorkers = 4;
 const mostCopied = 2 ** 26; // samples in all workers together
 
@@ -189,10 +190,7 @@ export class Picture {
     if (kind === "webgl" || (kind !== "wasm" && !inSoftware())) {
       try {
         this.host = new OnGraphicsProcessor(this.canvas, {
-          lost: (lost) => {
-            this.on.lost(lost);
-            this.schedule();
-          },
+          lost: (lost) => this.lose(lost),
           redraw: () => this.schedule(),
           wrong: this.on.wrong,
         });
@@ -204,7 +202,21 @@ export class Picture {
     this.on.host(this.host.name);
   }
 
+  // A context that is lost mostly comes back soon.
+  lose(lost) {
+    this.on.lost(lost);
+    clearTimeout(this.gone);
+    if (lost) {
+      this.gone = setTimeout(() => {
+        this.fallBack("the graphics processor was lost and has not come back.");
+        this.schedule();
+      }, patience);
+    }
+    this.schedule();
+  }
+
   end() {
+    clearTimeout(this.gone);
     this.host.dispose();
     this.host = null;
     this.replaceCanvas();

@@ -172,6 +172,14 @@ export const tests = {
     await page.evaluate(() => globalThis.lose.restoreContext());
     await page.waitForFunction(() => document.querySelector('#alert').hidden);
     assert.equal(await pictureOf(page), before);
+    // Where it does not, the processor goes on.
+    await page.evaluate(() => globalThis.lose.loseContext());
+    await page.waitForFunction(() => document.documentElement.dataset.host === 'WebAssembly');
+    assert.match(await alertOf(page), /has not come back/);
+    const other = await pictureOf(page);
+    await page.focus('#frame');
+    await page.keyboard.press('Shift+ArrowRight');
+    assert.notEqual(await pictureOf(page), other);
     page.complaints = page.complaints.filter((text) => !/CONTEXT_LOST|context lost/i.test(text));
     await finish(page);
   },
