@@ -3,19 +3,19 @@
 // The picture in the canvas: by WebGL 2, or by the exact sums in a worker where there is none.
 
 import { createWorkerShader, planScene } from "./reliefshading/index.js";
-import { shadeOptions } from "./scene.js";
+import { rowOf, shadeOptions, usualOf } from "./scene.js";
 import { ReliefRenderer } from "./webgl/relief-gl.js";
 
 const seconds = 0.03; // for a frame
 const calm = 160; // milliseconds without a change, after which the picture becomes as good as it gets
-const coarseSamples = 60000; // of a picture while something moves, in a worker
+const smooth = 0.06; // seconds for a picture in workers while something moves
+const coarseSamples = [4000, 60000]; // of such a picture, at least and at most
 const patience = 6000; // milliseconds in which a lost context may come back
 const mostWorkers = 4;
 const mostCopied = 2 ** 26; // samples in all workers together
 
-/** Every nth sample, so that there are at most so many. */
-function coarser(field) {
-  const n = Math.ceil(Math.sqrt((field.width * field.height) / coarseSamples));
+/** Every nth sample. */
+function coarser(field, n) {
   if (n <= 1) {
     return field;
   }
@@ -28,6 +28,16 @@ function coarser(field) {
     }
   }
   return { ...field, heights, width, height, spacing: field.spacing.map((size) => n * size) };
+}
+
+/** How many lights a scene has, about. */
+function lightsIn({ lights, environment, numberOfSunSamples }) {
+  const ofSuns = usualOf(rowOf("scene", "numberOfSunSamples"));
+  const ofSky = usualOf(rowOf("environment", "numberOfSamples"));
+  const count = (light) => (light.angularDiameter > 0 ? (numberOfSunSamples ?? ofSuns) : 1);
+  const shining = lights.filter((light) => light.on !== false);
+  const around = environment && environment.image !== "none" ? (environment.numberOfSamples ?? ofSky) : 0;
+  return shining.reduce((sum, light) => sum + count(light), around);
 }
 
 /** Whether WebGL is there but computed by the processor, which the exact sums then do sooner. */
@@ -126,34 +136,56 @@ class OnProcessor {
   }
 
   setField(field) {
-    this.fields = [field, coarser(field)];
+    this.field = field;
+    this.coarse = new Map(); // fields of every nth sample
     this.employ(workersFor(field));
     this.shown = null; // a coarse picture comes first
+    this.rate = 0; // seconds for a sample and a light
   }
 
   async setScene(state, field, assets) {
-    // A coarse picture has a depth of its own where it is automatic.
-    const depth = state.scene.subsurfaceDepth ?? "auto";
-    const mean = (field.spacing[0] + field.spacing[1]) / 2;
-    this.options = [0, 1].map((k) => ({
-      ...shadeOptions(state, this.fields[k], assets),
-      subsurfaceDepth: depth === "auto" ? mean : depth,
-    }));
+    this.scene = { state, assets, lights: Math.max(lightsIn(state.scene), 1) };
     this.made = null;
   }
 
+  // As fine as there is time for.
+  coarseField() {
+    const { width, height } = this.field;
+    const [least, most] = coarseSamples;
+    const { lights } = this.scene;
+    const wanted = this.rate > 0 ? smooth / (this.rate * lights) : (4 * most) / lights;
+    const n = Math.ceil(Math.sqrt((width * height) / Math.min(Math.max(wanted, least), most)));
+    if (!this.coarse.has(n)) {
+      this.coarse.set(n, coarser(this.field, n));
+    }
+    return this.coarse.get(n);
+  }
+
+  async shade(field) {
+    const { state, assets, lights } = this.scene;
+    const options = shadeOptions(state, field, assets);
+    if ((state.scene.subsurfaceDepth ?? "auto") === "auto") {
+      // A coarse picture has a depth of its own where it is automatic.
+      options.subsurfaceDepth = (this.field.spacing[0] + this.field.spacing[1]) / 2;
+    }
+    const begin = performance.now();
+    const { data, width, height } = await this.shader.shade(field.heights, options);
+    const rate = (performance.now() - begin) / 1000 / (width * height * lights);
+    this.rate = this.rate > 0 ? (this.rate + rate) / 2 : rate;
+    return createImageBitmap(new ImageData(data, width, height));
+  }
+
   async draw(view, moving) {
-    const k = moving || !this.shown ? 1 : 0;
-    if (this.made === null || k < this.made) {
-      const { data, width, height } = await this.shader.shade(this.fields[k].heights, this.options[k]);
-      this.shown = await createImageBitmap(new ImageData(data, width, height));
-      this.made = this.fields[k] === this.fields[0] ? 0 : k;
+    const wanted = moving || !this.shown ? this.coarseField() : this.field;
+    if (this.made !== this.field && this.made !== wanted) {
+      this.shown = await this.shade(wanted);
+      this.made = wanted;
     }
     const [left, top] = view.toPixels([0, 0]).map((c, axis) => c * this.ratio(view, axis));
     const size = view.size.map((length, axis) => length * this.ratio(view, axis));
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     this.context.drawImage(this.shown, left, top, ...size);
-    return { converged: this.made === 0 };
+    return { converged: this.made === this.field };
   }
 
   ratio(view, axis) {
