@@ -4,10 +4,20 @@
 
 const mostBytes = 2 ** 30;
 
-const newWorker = () => new Worker(new URL("./files.worker.js", import.meta.url), { type: "module" });
+// One waits, so that a file is not kept waiting; not one that could not be loaded.
+let waiting = null;
 
-// One waits, so that a file is not kept waiting.
-let waiting = newWorker();
+function newWorker() {
+  const worker = new Worker(new URL("./files.worker.js", import.meta.url), { type: "module" });
+  worker.onerror = () => {
+    if (waiting === worker) {
+      waiting = null;
+    }
+  };
+  return worker;
+}
+
+waiting = newWorker();
 
 /** Calls a worker of files, which ends afterwards, so that its memory is free again. */
 export function callFiles(message, transfer = []) {

@@ -149,6 +149,21 @@ export const tests = {
     await page.waitForFunction(() => globalThis.reliefPage.field.name === 'dropped.png');
     assert.equal(await alertOf(page), '');
     await finish(page);
+
+    // What the page itself misses is said, too.
+    for (const [missing, says] of [['**/files.worker.js', /reads files has failed/], ['**/small.png', /fetch|load/i]])
+    {
+      const broken = await open({ missing });
+      assert.match(await alertOf(broken), says);
+      if (missing.endsWith('small.png'))
+      {
+        await openHeights(broken, 'eight.png', heights8);
+        await settled(broken);
+        assert.equal(await alertOf(broken), '');
+      }
+      broken.complaints = broken.complaints.filter((text) => !/Failed to load resource/.test(text));
+      await finish(broken);
+    }
   },
 
   // Pictures of linear light as environments, far away and nearby, and as heights.

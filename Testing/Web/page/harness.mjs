@@ -47,8 +47,8 @@ async function beginSmall(context)
   await context.route('**/examples/small.png', (route) => route.fulfill({ body: heights16, contentType: 'image/png' }));
 }
 
-// The page, with the examples that it has or with a small one before them.
-export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', small = true, ...rest } = {})
+// The page, with the examples that it has or with a small one before them, and without files that are to be missing.
+export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', small = true, missing, ...rest } = {})
 {
   const context = await browser.newContext(
     { viewport: { width, height }, acceptDownloads: true, serviceWorkers: 'block', ...rest });
@@ -72,6 +72,10 @@ export async function open({ width = 620, height = 420, query = '?host=webgl', h
   if (small)
   {
     await beginSmall(context);
+  }
+  if (missing)
+  {
+    await context.route(missing, (route) => route.abort());
   }
   await page.goto(`${address}${query}${hash}`);
   await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: PATIENCE });
