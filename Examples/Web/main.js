@@ -426,10 +426,6 @@ class Page {
   /** The picture in full resolution, by the exact sums. */
   async exact() {
     const options = shadeOptions(this.state, this.field, this.assets);
-    const { host } = this.picture;
-    if (host.shader) {
-      return host.shader.shade(this.field.heights, options);
-    }
     const shader = createWorkerShader({ workers: workersFor(this.field) });
     try {
       return await shader.shade(this.field.heights, options);

@@ -11,6 +11,8 @@ const calm = 160; // milliseconds without a change, after which the picture beco
 const smooth = 0.06; // seconds for a picture in workers while something moves
 const coarseSamples = [4000, 60000]; // of such a picture, at least and at most
 const patience = 6000; // milliseconds in which a lost context may come back
+const mostSeen = 2 ** 22; // samples that workers shade for the screen, unless pixels are finer
+const impatience = 0.3; // seconds after which a fine picture is given up for one that moves
 const mostWorkers = 4;
 const mostCopied = 2 ** 26; // samples in all workers together
 
@@ -30,14 +32,32 @@ function coarser(field, n) {
   return { ...field, heights, width, height, spacing: field.spacing.map((size) => n * size) };
 }
 
+/** What a scene leaves to the default, if it does. */
+const numberIn = (owner, key, values) => values[key] ?? usualOf(rowOf(owner, key));
+
 /** How many lights a scene has, about. */
-function lightsIn({ lights, environment, numberOfSunSamples }) {
-  const ofSuns = usualOf(rowOf("scene", "numberOfSunSamples"));
-  const ofSky = usualOf(rowOf("environment", "numberOfSamples"));
-  const count = (light) => (light.angularDiameter > 0 ? (numberOfSunSamples ?? ofSuns) : 1);
+function lightsIn({ lights, environment, ...scene }) {
+  const ofSuns = numberIn("scene", "numberOfSunSamples", scene);
+  const count = (light) => (light.angularDiameter > 0 ? ofSuns : 1);
   const shining = lights.filter((light) => light.on !== false);
-  const around = environment && environment.image !== "none" ? (environment.numberOfSamples ?? ofSky) : 0;
-  return shining.reduce((sum, light) => sum + count(light), around);
+  const shines = environment && environment.image !== "none";
+  const around = shines ? numberIn("environment", "numberOfSamples", environment) : 0;
+  return Math.max(
+    shining.reduce((sum, light) => sum + count(light), around),
+    1,
+  );
+}
+
+/** A scene of few lights, for while something moves. */
+function withFewLights(options) {
+  const most = (owner, key, values) => ({
+    ...values,
+    [key]: Math.min(numberIn(owner, key, values), usualOf(rowOf(owner, key))),
+  });
+  const few = most("scene", "numberOfSunSamples", options);
+  return options.environment
+    ? { ...few, environment: most("environment", "numberOfSamples", options.environment) }
+    : few;
 }
 
 /** Whether WebGL is there but computed by the processor, which the exact sums then do sooner. */
@@ -124,6 +144,7 @@ class OnProcessor {
     this.name = "WebAssembly";
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
+    this.since = null; // when a fine picture was begun
     this.employ(workersFor({ width: 1, height: 1 }));
   }
 
@@ -135,57 +156,105 @@ class OnProcessor {
     }
   }
 
+  /** A fine picture that takes long is given up. */
+  interrupt() {
+    const { since, workers } = this;
+    if (since !== null && performance.now() - since > 1000 * impatience) {
+      this.since = null;
+      this.workers = 0;
+      this.employ(workers);
+    }
+  }
+
   setField(field) {
     this.field = field;
-    this.coarse = new Map(); // fields of every nth sample
+    this.fields = new Map(); // of every nth sample
+    if (this.since !== null) {
+      this.workers = 0; // what they do is of no use
+    }
     this.employ(workersFor(field));
     this.shown = null; // a coarse picture comes first
     this.rate = 0; // seconds for a sample and a light
+    this.since = null;
   }
 
   async setScene(state, field, assets) {
-    this.scene = { state, assets, lights: Math.max(lightsIn(state.scene), 1) };
-    this.made = null;
+    const options = shadeOptions(state, field, assets);
+    if ((options.subsurfaceDepth ?? "auto") === "auto") {
+      // A coarse picture has a depth of its own where it is automatic.
+      options.subsurfaceDepth = (field.spacing[0] + field.spacing[1]) / 2;
+    }
+    this.options = options;
+    this.quick = withFewLights(options);
+    this.made = null; // what the fine picture was made of
+    this.rough = false; // whether there is a coarse one
+  }
+
+  // Every nth sample.
+  every(n) {
+    if (!this.fields.has(n)) {
+      this.fields.set(n, coarser(this.field, n));
+    }
+    return this.fields.get(n);
   }
 
   // As fine as there is time for.
   coarseField() {
     const { width, height } = this.field;
     const [least, most] = coarseSamples;
-    const { lights } = this.scene;
+    const lights = lightsIn(this.quick);
     const wanted = this.rate > 0 ? smooth / (this.rate * lights) : (4 * most) / lights;
-    const n = Math.ceil(Math.sqrt((width * height) / Math.min(Math.max(wanted, least), most)));
-    if (!this.coarse.has(n)) {
-      this.coarse.set(n, coarser(this.field, n));
-    }
-    return this.coarse.get(n);
+    return this.every(Math.ceil(Math.sqrt((width * height) / Math.min(Math.max(wanted, least), most))));
   }
 
-  async shade(field) {
-    const { state, assets, lights } = this.scene;
-    const options = shadeOptions(state, field, assets);
-    if ((state.scene.subsurfaceDepth ?? "auto") === "auto") {
-      // A coarse picture has a depth of its own where it is automatic.
-      options.subsurfaceDepth = (this.field.spacing[0] + this.field.spacing[1]) / 2;
-    }
+  // All samples, but of a large field no more than there are pixels.
+  fineField(view) {
+    const { width, height, spacing } = this.field;
+    const pixels = this.ratio(view, 0) * view.scale * Math.min(...spacing);
+    return this.every(width * height > mostSeen ? Math.max(Math.floor(1 / pixels), 1) : 1);
+  }
+
+  async shade({ heights, width, height, spacing }, options) {
     const begin = performance.now();
-    const { data, width, height } = await this.shader.shade(field.heights, options);
-    const rate = (performance.now() - begin) / 1000 / (width * height * lights);
+    const { data } = await this.shader.shade(heights, { ...options, width, height, spacing });
+    const rate = (performance.now() - begin) / 1000 / (width * height * lightsIn(options));
     this.rate = this.rate > 0 ? (this.rate + rate) / 2 : rate;
     return createImageBitmap(new ImageData(data, width, height));
   }
 
+  // Shades a field, unless that is interrupted.
+  async make(wanted, fine) {
+    const { shader, field } = this;
+    this.since = fine ? performance.now() : null;
+    try {
+      const picture = await this.shade(wanted, fine ? this.options : this.quick);
+      if (field === this.field) {
+        this.shown = picture;
+        this.made = fine ? wanted : null;
+        this.rough = !fine;
+      }
+    } catch (error) {
+      if (shader === this.shader) {
+        throw error;
+      }
+    }
+    this.since = null;
+  }
+
   async draw(view, moving) {
-    const wanted = moving || !this.shown ? this.coarseField() : this.field;
-    if (this.made !== this.field && this.made !== wanted) {
-      this.shown = await this.shade(wanted);
-      this.made = wanted;
+    const fine = this.fineField(view);
+    const quick = moving || !this.shown;
+    if (this.made !== fine && !(quick && this.rough)) {
+      await (quick ? this.make(this.coarseField(), false) : this.make(fine, true));
+    }
+    if (!this.shown) {
+      return { converged: false };
     }
     const [left, top] = view.toPixels([0, 0]).map((c, axis) => c * this.ratio(view, axis));
     const size = view.size.map((length, axis) => length * this.ratio(view, axis));
     this.context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     this.context.drawImage(this.shown, left, top, ...size);
-    return { converged: this.made === this.field };
+    return { converged: this.made === fine };
   }
 
   ratio(view, axis) {
@@ -194,6 +263,7 @@ class OnProcessor {
 
   dispose() {
     this.shader.terminate();
+    this.shader = null;
   }
 }
 
@@ -294,6 +364,9 @@ export class Picture {
   }
 
   move(moving) {
+    if (moving) {
+      this.host.interrupt?.();
+    }
     this.moving = moving;
     clearTimeout(this.timer);
     if (moving) {

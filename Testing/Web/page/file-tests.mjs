@@ -236,9 +236,13 @@ export const tests = {
       return gl.getParameter(gl.MAX_TEXTURE_SIZE);
     });
     const width = most + 8;
-    const data = Uint16Array.from({ length: 6 * width }, (_, k) => 2000 * (1 + Math.sin((k % width) / 30)));
-    await openHeights(page, 'long.png', Buffer.from(encode({ data, width, height: 6, channels: 1, depth: 16 })));
+    const data = Uint16Array.from({ length: 600 * width }, (_, k) => 2000 * (1 + Math.sin((k % width) / 300)));
+    await openHeights(page, 'long.png', Buffer.from(encode({ data, width, height: 600, channels: 1, depth: 16 })));
     await settled(page);
+    // Of so many samples no more than can be seen, until one looks closer.
+    const made = () => page.evaluate(() => globalThis.reliefPage.picture.host.made.width);
+    const before = await made();
+    assert.ok(before < width / 8 && before > 500, `${before} samples across`);
     assert.equal(await host(), 'WebAssembly');
     const text = await alertOf(page);
     assert.ok(text.includes(`${most}`) && text.length < 200, text);
@@ -250,6 +254,9 @@ export const tests = {
       return new Set(pixels.filter((_, k) => k % 4 === 0)).size;
     });
     assert.ok(shown > 10, `${shown} shades are seen`);
+    await page.evaluate(() => globalThis.reliefPage.view.zoomBy(3));
+    await settled(page);
+    assert.ok((await made()) > 2 * before, `${await made()} samples across, ${before} from afar`);
     // Only as long as it is needed.
     await openHeights(page, 'hills.png', heights16);
     await settled(page);

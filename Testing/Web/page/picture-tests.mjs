@@ -195,6 +195,15 @@ export const tests = {
     await page.keyboard.press('Shift+ArrowRight');
     await page.waitForTimeout(300);
     assert.notEqual(await pictureOf(page), before);
+    // A picture that takes long is given up for one that moves.
+    const shader = await page.evaluateHandle(() => globalThis.reliefPage.picture.host.shader);
+    await page.evaluate(() => globalThis.reliefPage.setEnvironment({ image: 'whiteDome', numberOfSamples: 16384 }));
+    await page.waitForFunction(() => performance.now() - (globalThis.reliefPage.picture.host.since ?? Infinity) > 400);
+    await page.keyboard.press('ArrowRight');
+    assert.ok(await page.evaluate((old) => globalThis.reliefPage.picture.host.shader !== old, shader));
+    await page.evaluate(() => globalThis.reliefPage.setEnvironment(null));
+    assert.notEqual(await pictureOf(page), before);
+    assert.equal(await alertOf(page), '');
     await finish(page);
   },
 
