@@ -143,7 +143,8 @@ class OnProcessor {
   constructor(canvas) {
     this.name = "WebAssembly";
     this.canvas = canvas;
-    this.context = canvas.getContext("2d");
+    // Where it is used graphics are in software, too.
+    this.context = canvas.getContext("2d", { willReadFrequently: true });
     this.since = null; // when a fine picture was begun
     this.employ(workersFor({ width: 1, height: 1 }));
   }
