@@ -379,7 +379,7 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
 /// As pieces are kept: grey pictures take a quarter of what the filter makes of them.
 vtkSmartPointer<vtkImageData> TileShading::Pack(vtkImageData* piece) const
 {
-  return this->Form ? packPicture(piece, *this->Form) : piece;
+  return this->Form ? packPicture(piece, *this->Form) : vtkSmartPointer<vtkImageData>(piece);
 }
 
 //------------------------------------------------------------------------------
