@@ -58,6 +58,11 @@ void CheckComponents(const OIIO::ImageOutput& format, int components)
     // Its writer takes alpha and makes all of it opaque.
     held = components != 3 ? "3" : "";
   }
+  else if (name == "ico")
+  {
+    // Without alpha its writer runs beyond the rows, and it makes colours of grey.
+    held = components != 4 ? "4" : "";
+  }
   else if (!format.supports("alpha"))
   {
     held = components == 2 || components == 4 ? "1 or 3" : "";
@@ -77,11 +82,55 @@ void CheckComponents(const OIIO::ImageOutput& format, int components)
     throw Failure(
       vtkErrorCode::FileFormatError, "the format iff is written in tiles, which is not done here");
   }
+  if (name == "null" || name == "term")
+  {
+    throw Failure(vtkErrorCode::FileFormatError, "the format " + name + " makes no file");
+  }
+}
+
+// Refuses sizes that a format's writer takes without writing such an image.
+void CheckSize(const std::string& format, const OIIO::ImageSpec& spec)
+{
+  std::string held;
+  if (format == "jpeg2000" && std::min(spec.width, spec.height) < 32)
+  {
+    held = "of at least 32 x 32 samples"; // it halves them five times
+  }
+  else if (format == "gif" && std::max(spec.width, spec.height) > 65535)
+  {
+    held = "of up to 65535 x 65535 samples"; // larger ones begin again at 0
+  }
+  else if (format == "jpeg" && std::max(spec.width, spec.height) > 65500)
+  {
+    held = "of up to 65500 x 65500 samples"; // its writer would never end
+  }
+  if (!held.empty())
+  {
+    throw Failure(vtkErrorCode::FileFormatError,
+      "the format " + format + " holds images " + held +
+        ", as it is written here, and this one has " + std::to_string(spec.width) + " x " +
+        std::to_string(spec.height));
+  }
+}
+
+// The type that a format stores, if OpenImageIO does not know better.
+TypeDesc HeldType(const OIIO::ImageOutput& format)
+{
+  const std::string name = format.format_name();
+  if (name == "ico")
+  {
+    return TypeDesc::UINT8; // of 16 bits the bytes would be swapped
+  }
+  if (name == "rla" && !format.spec().format.is_floating_point())
+  {
+    return TypeDesc::FLOAT; // whole numbers are packed, and some come out as others
+  }
+  return format.spec().format;
 }
 
 void CheckType(const OIIO::ImageOutput& format, TypeDesc wanted, bool automatic)
 {
-  const TypeDesc chosen = format.spec().format;
+  const TypeDesc chosen = HeldType(format);
   const bool narrowed = automatic && wanted == TypeDesc::DOUBLE && chosen == TypeDesc::FLOAT;
   if (chosen != wanted && !narrowed)
   {
@@ -161,9 +210,11 @@ void WriteRows(const Job& job, OIIO::ImageOutput& output, const TemporaryFile& f
 // Some formats' writers take what their readers do not give back, so the header is looked at once
 // more, and where OpenImageIO has not written through TemporaryFile, whether all rows have come to
 // the disk.
-void CheckFile(const TemporaryFile& file, const OIIO::ImageSpec& written, bool checkRows)
+void CheckFile(const TemporaryFile& file, const std::string& format, const OIIO::ImageSpec& written,
+  bool checkRows)
 {
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(file.Name());
+  // Asked for by its name, since what has come to nothing is not taken for a file of the format.
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input)
   {
     OIIO::geterror(); // The format is written only
@@ -199,6 +250,10 @@ OIIO::ImageSpec FileSpec(const Job& job, const std::string& format)
 {
   vtkDataArray* scalars = job.Image->GetPointData()->GetScalars();
   TypeDesc type = FileType(scalars->GetDataType());
+  if (format == "rla" && type == TypeDesc::DOUBLE)
+  {
+    type = TypeDesc::FLOAT; // its writer takes double, and nobody reads that
+  }
   const TypeDesc types[] = { type, TypeDesc::UINT8, TypeDesc::UINT16, TypeDesc::HALF,
     TypeDesc::FLOAT };
   int dimensions[3];
@@ -244,6 +299,7 @@ void WriteWholeFile(const Job& job)
   }
   const OIIO::ImageSpec spec = FileSpec(job, output->format_name());
   CheckComponents(*output, spec.nchannels);
+  CheckSize(output->format_name(), spec);
 
   // In this order: the format's writer must go before the file, for its destructor may write.
   TemporaryFile file(job.FileName, job.Staging);
@@ -272,7 +328,7 @@ void WriteWholeFile(const Job& job)
     throw Failure(
       vtkErrorCode::OutOfDiskSpaceError, std::string("writing failed: ") + std::strerror(error));
   }
-  CheckFile(file, format->spec(), !checked);
+  CheckFile(file, format->format_name(), format->spec(), !checked);
   file.Keep();
 }
 }

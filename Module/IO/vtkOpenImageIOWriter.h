@@ -15,9 +15,11 @@
  * point numbers are clamped to that first and NaN becomes 0. Floating point files keep NaN and
  * infinities.
  *
- * <b>Nothing is dropped.</b> A format that cannot hold the components (JPEG and alpha, say) or the
- * type (PNG and float) is refused with a message that names the format and what to do. One
- * exception: double becomes float, where PixelType is Automatic and the format has no double.
+ * <b>Nothing is dropped.</b> A format that cannot hold the components (JPEG and alpha, say), the
+ * type (PNG and float) or the size (icons of more than 256 columns) is refused with a message that
+ * names the format and what to do; so is what OpenImageIO's writer of a format would not survive or
+ * would spoil. One exception: double becomes float, where PixelType is Automatic and the format has
+ * no double.
  *
  * <b>Metadata.</b> Strings and numbers in the input's field data become attributes of the same
  * name, as far as the format can hold them. Left out are arrays of more than 64 KiB and those that

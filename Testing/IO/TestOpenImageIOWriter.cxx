@@ -95,6 +95,7 @@ void TestRoundTrips()
     TestRoundTrip("tif", VTK_DOUBLE, components);
     TestRoundTrip("tif", VTK_SHORT, components);
   }
+  TestRoundTrip("rla", VTK_DOUBLE, 3, vtkOpenImageIOWriter::Automatic, 0.0, VTK_FLOAT);
   TestRoundTrip("tga", VTK_UNSIGNED_CHAR, 4);
   TestRoundTrip("hdr", VTK_FLOAT, 3, vtkOpenImageIOWriter::Automatic, 0.5);
   TestRoundTrip("jpg", VTK_UNSIGNED_CHAR, 1, vtkOpenImageIOWriter::Automatic, 20.0);
@@ -111,6 +112,72 @@ void TestRoundTrips()
   CHECK(file.size() == 21 * 17 && spec.height == 17);
   CHECK(!file.empty() && file[16 * 21] == Value(image, nullptr, 5, -3));
   CHECK(!file.empty() && file[1] == Value(image, nullptr, 6, 13));
+}
+
+// An image is written and read back as it was, or refused by one message and no file is there.
+void TestSize(const std::string& extension, vtkImageData* image, bool held)
+{
+  const std::string name = Directory + "size." + extension;
+  std::filesystem::remove(name);
+  vtkNew<vtkOpenImageIOWriter> writer;
+  MessageKeeper messages(writer);
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  writer->Write();
+  vtkDataArray* expected = image->GetPointData()->GetScalars();
+  bool good = false;
+  if (held)
+  {
+    auto back = ReadBack(name);
+    vtkDataArray* values = back->GetPointData()->GetScalars();
+    good = messages.Silent() && values && LargestDifference(expected, values) == 0.0;
+  }
+  else
+  {
+    good = messages.OneError("Cannot write \"" + name + "\": ") && !std::filesystem::exists(name);
+  }
+  CHECK(good);
+  if (!good)
+  {
+    std::cout << "  " << extension << " " << expected->GetNumberOfComponents() << " "
+              << expected->GetDataTypeAsString() << " " << image->GetDimensions()[0] << " x "
+              << image->GetDimensions()[1] << std::endl;
+  }
+}
+
+// Formats whose writers do not survive images of some sizes, or do not write them.
+void TestSizes()
+{
+  const struct
+  {
+    const char* extension;
+    int type;
+    bool (*holds)(int components, int width, int height);
+  } formats[] = {
+    { "ico", VTK_UNSIGNED_CHAR,
+      [](int c, int w, int h) { return c == 4 && std::max(w, h) <= 256; } },
+    { "ico", VTK_UNSIGNED_SHORT, [](int, int, int) { return false; } },
+    { "jp2", VTK_UNSIGNED_CHAR,
+      [](int c, int w, int h) { return c != 2 && std::min(w, h) >= 32; } },
+    { "j2k", VTK_UNSIGNED_SHORT,
+      [](int c, int w, int h) { return c != 2 && std::min(w, h) >= 32; } },
+    { "rla", VTK_UNSIGNED_CHAR, [](int, int, int) { return false; } },
+    { "rla", VTK_FLOAT, [](int, int, int) { return true; } },
+  };
+  for (const auto& format : formats)
+  {
+    for (const int width : { 1, 5, 31, 32, 100, 255, 256, 257 })
+    {
+      for (const int height : { 1, 4, 32, 257 })
+      {
+        for (int components = 1; components <= 4; ++components)
+        {
+          TestSize(format.extension, MakeImage(format.type, components, width, height),
+            format.holds(components, width, height));
+        }
+      }
+    }
+  }
 }
 
 void TestConversions()
@@ -297,6 +364,16 @@ void TestRefusals()
   Refused(byte(4), Directory + "bad.gif", format, "gif holds 3 components");
   Refused(byte(1), Directory + "bad.webp", format, "webp");
   Refused(byte(3), Directory + "bad.iff", format, "iff");
+  Refused(byte(3), Directory + "bad.null", format, "makes no file");
+  Refused(byte(3), Directory + "bad.term", format, "makes no file");
+  Refused(byte(1), Directory + "bad.ico", format, "ico holds 4 components");
+  Refused(byte(3), Directory + "bad.ico", format, "ico holds 4 components");
+  Refused(MakeImage(VTK_UNSIGNED_SHORT, 4, 256), Directory + "bad.ico", format, "uint8");
+  Refused(MakeImage(VTK_UNSIGNED_CHAR, 4, 257), Directory + "bad.ico", format, "256");
+  Refused(byte(3), Directory + "bad.jp2", format, "at least 32 x 32 samples");
+  Refused(byte(3), Directory + "bad.rla", format, "what it would hold instead is float");
+  Refused(MakeImage(VTK_UNSIGNED_CHAR, 3, 65536, 1), Directory + "bad.gif", format, "65535");
+  Refused(MakeImage(VTK_UNSIGNED_CHAR, 3, 1, 65501), Directory + "bad.jpg", format, "65500");
   Refused(byte(4), Directory + "bad.hdr", format, "hdr");
   Refused(MakeImage(VTK_FLOAT, 1), Directory + "bad.hdr", format, "-channel");
   Refused(MakeImage(VTK_FLOAT, 3), Directory + "bad.png", format,
@@ -462,6 +539,7 @@ int TestOpenImageIOWriter(int argc, char* argv[])
 {
   Directory = EmptyDirectory(argc, argv, "TestOpenImageIOWriter");
   TestRoundTrips();
+  TestSizes();
   TestConversions();
   TestMetadata();
   TestRefusals();
