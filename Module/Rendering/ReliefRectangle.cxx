@@ -47,7 +47,11 @@ ReliefRectangle::ReliefRectangle()
     vtkNew<vtkOpenGLPolyDataMapper> mapper;
     mapper->SetInputData(this->Polygon);
     actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
+    // Colours come out as they are. All the same VTK's program must know of lights: only then does
+    // it have what passes for shadows build upon.
+    actor->GetProperty()->SetAmbient(1.0);
+    actor->GetProperty()->SetDiffuse(0.0);
+    actor->GetProperty()->SetSpecular(0.0);
   }
   this->Picture->SetTexture(this->Texture);
 }

@@ -18,15 +18,19 @@
 #include "vtkImageData.h"
 #include "vtkImageProperty.h"
 #include "vtkImageSlice.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPixelBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkShadowMapBakerPass.h"
 #include "vtkTextureObject.h"
 
 #include "ReliefOpenGL.h"
@@ -46,6 +50,23 @@ namespace
 constexpr double MovingRate = 1.0;
 // The part of a frame's time that is spent on shading; the rest is for what else a frame takes.
 constexpr double ShadingShare = 0.7;
+
+// Whether a pass is drawn that measures how far a light sees, for the shadows of all props. The
+// camera stands where the light does, and depths are wanted in place of colours.
+bool MeasuresShadows(vtkImageSlice* slice)
+{
+  vtkInformation* keys = slice->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys && keys->Has(passes) ? keys->Length(passes) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    if (vtkShadowMapBakerPass::SafeDownCast(keys->Get(passes, i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 }
 
@@ -91,6 +112,7 @@ public:
   void Tell(const ReliefFrames* frames, double exposure);
   void Draw(
     vtkRenderer* renderer, vtkImageSlice* slice, WindowState& state, const View& view, bool shows);
+  void DrawDepth(vtkRenderer* renderer, vtkImageSlice* slice, WindowState& state);
   ReliefFrames::Request MakeRequest(
     vtkRenderer* renderer, vtkImageSlice* slice, const WindowState& state);
   ReliefRectangle::Place MakePlace(vtkImageSlice* slice);
@@ -339,12 +361,29 @@ void vtkOpenGLReliefImageMapper::Internals::Draw(
 }
 
 //------------------------------------------------------------------------------
+// Draws the rectangle alone, in any colour.
+void vtkOpenGLReliefImageMapper::Internals::DrawDepth(
+  vtkRenderer* renderer, vtkImageSlice* slice, WindowState& state)
+{
+  if (this->Self->GetInput() && this->Self->DepthEnable)
+  {
+    state.Rectangle.DrawBacking(renderer, this->MakePlace(slice), slice->GetProperty());
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkOpenGLReliefImageMapper::Shade(vtkRenderer* renderer, vtkImageSlice* slice)
 {
   // What is shown.
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   Internals& internal = *this->Internal;
   Internals::WindowState& state = internal.GetState(window);
+  if (MeasuresShadows(slice))
+  {
+    // Shaded for this camera, what is kept for the other would be lost.
+    internal.DrawDepth(renderer, slice, state);
+    return;
+  }
   Internals::View& view = state.Views[renderer];
   ReliefFrames& frames = view.Frames;
   const std::string wrong = internal.Prepare(renderer, view.Scene);
