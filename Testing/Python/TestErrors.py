@@ -254,6 +254,8 @@ class TestThreads(unittest.TestCase):
                 np.testing.assert_array_equal(got[k], expected[k])
 
     def test_ctrl_c(self):
+        # A process that was started in the background of a shell ignores the signal.
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         started = threading.Event()
 
         def press():
