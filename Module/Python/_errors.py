@@ -98,8 +98,9 @@ def parts_of(instance):
 def update(algorithm):
     """Updates an algorithm of VTK; other threads of Python run meanwhile, and Ctrl+C ends it.
 
-    They do not where a part of the pipeline is written in Python itself. Raises RuntimeError with the message of whatever failed, here or before in the pipeline, or
-    MemoryError. Warnings become a ReliefWarning. Nothing is printed.
+    They do not where a part of the pipeline is written in Python itself. Raises RuntimeError with the
+    message of whatever failed, here or before in the pipeline, or MemoryError. Warnings become a
+    ReliefWarning. Nothing is printed.
     """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"a vtkAlgorithm is expected, not {type(algorithm).__name__}")
@@ -107,14 +108,27 @@ def update(algorithm):
 
 
 def run(algorithm):
-    """Update() without the interpreter's lock, unless parts of the pipeline are written in Python:
-    VTK calls those without taking it."""
-    for part in parts_of(algorithm):
-        if part is not None and (part.IsA("vtkPythonAlgorithm")
-                                 or part.GetClassName().startswith("vtkProgrammable")):
-            vtkAlgorithm.GetExecutive(algorithm).Update()
-            return
-    _pipeline.update(algorithm)
+    """Update() without the interpreter's lock, where that may be."""
+    if has_python(algorithm):
+        vtkAlgorithm.GetExecutive(algorithm).Update()
+    else:
+        _pipeline.update(algorithm)
+
+
+def write(writer, original=None):
+    """Write() of an image writer without the interpreter's lock, where that may be. What is original is
+    called where not."""
+    if has_python(writer):
+        (original or type(writer).Write)(writer)
+    else:
+        _pipeline.write(writer)
+
+
+def has_python(algorithm):
+    """Whether parts of a pipeline are written in Python: VTK calls those without taking the lock."""
+    return any(part is not None and (part.IsA("vtkPythonAlgorithm")
+                                     or part.GetClassName().startswith("vtkProgrammable"))
+               for part in parts_of(algorithm))
 
 
 def checked(instance, function, *arguments):
@@ -146,7 +160,8 @@ class raise_errors:  # noqa: N801  it is used as a function
     Read() of all classes of the package raise a RuntimeError (or MemoryError) with the first error of
     the object or of whatever comes before it in its pipeline; warnings become a ReliefWarning. As a
     context it ends with its block, else with stop(). It holds for all threads, and for objects that
-    were made before. To enter it again begins anew. During Update() other threads run, as with reliefshading.update().
+    were made before. To enter it again begins anew. During Update(), and Write() of images, other
+    threads run, as with reliefshading.update().
     """
 
     def __init__(self):
@@ -212,6 +227,8 @@ def _raising(kind, name):
     def method(self, *arguments):
         if name == "Update" and not arguments:
             return checked(self, run, self)
+        if name == "Write" and not arguments and self.IsA("vtkImageWriter"):
+            return checked(self, write, self, original)
         return checked(self, original, self, *arguments)
 
     def of_class(*arguments):

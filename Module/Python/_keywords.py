@@ -256,10 +256,10 @@ def _converted(row, value, name):
 
 
 def set_checked(name, instance, setter, arguments, *others):
-    """Calls a setter; what it refuses is a ValueError with its own message."""
+    """Calls a setter, by name or a function; what it refuses is a ValueError with its own message."""
     with listening(instance, *others) as heard:
         try:
-            result = getattr(instance, setter)(*arguments)
+            result = (setter if callable(setter) else getattr(instance, setter))(*arguments)
         except OverflowError as error:
             raise ValueError(f"{name}: {brief(str(error), 120)}") from None
     if heard.failed:

@@ -9,7 +9,7 @@ import uuid
 import numpy as np
 
 from ._arrays import from_image, to_upright_image
-from ._errors import checked
+from ._errors import checked, write
 from ._keywords import LAYERS, brief
 
 LARGEST_SHOWN = 2048  # of either side, in a notebook
@@ -115,7 +115,7 @@ class ReliefImage:
         writer = vtkPNGWriter()
         writer.WriteToMemoryOn()
         writer.SetInputData(to_upright_image(codes))
-        checked(writer, writer.Write)
+        checked(writer, write, writer)
         return bytes(memoryview(writer.GetResult()))
 
     def save(self, file_name):
@@ -125,7 +125,7 @@ class ReliefImage:
         PNG, JPEG and all others are in 8 bits, sRGB-encoded. JPEG, GIF and others that know no alpha
         get the background where there is no data. All but PNG and TIFF need the package's room for
         image files. The file is there when it is whole: after an error one that was there before is as
-        it was.
+        it was. Other threads run meanwhile.
         """
         name = os.fsdecode(file_name)
         extension = os.path.splitext(name)[1].lower()
@@ -160,7 +160,7 @@ def _write_whole(name, place, extension, array):
             writer = _writer(extension)
             writer.SetFileName(os.fsencode(staged))
             writer.SetInputData(to_upright_image(array))
-            checked(writer, writer.Write)
+            checked(writer, write, writer)
             if writer.GetErrorCode() or not os.path.exists(staged):
                 raise OSError("its writer does not tell why")
         if os.path.exists(place):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene set by keywords."""
 
-from . import vtkReliefScene
+from . import _pipeline, vtkReliefScene
 from ._keywords import AUTOMATIC, TABLE, converted, number, set_checked, shown
 from ._lights import set_environment, set_lights
 
@@ -49,4 +49,4 @@ def _set_automatic(scene, values, heights):
     if isinstance(values.get("exposure"), str):
         scene.AutomaticExposureOn()
     if isinstance(values.get("height_scale"), str):
-        set_checked("height_scale", scene, "FitHeightScale", heights.fit_arguments())
+        set_checked("height_scale", scene, _pipeline.fit_height_scale, (scene, *heights.fit_arguments()))

@@ -217,6 +217,28 @@ class TestErrors(unittest.TestCase):
                 scene.Read()
 
 
+def longest_wait(work):
+    """The longest time that another thread had to wait during some work, as a share of the work's."""
+    times, ended = [], threading.Event()
+
+    def tick():
+        while not ended.is_set():
+            times.append(time.perf_counter())
+            time.sleep(0.001)  # takes the interpreter's lock again
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    while len(times) < 3:
+        time.sleep(0.001)
+    begin = time.perf_counter()
+    work()
+    end = time.perf_counter()
+    ended.set()
+    thread.join()
+    times = [begin, *(at for at in times if begin < at < end), end]
+    return max(b - a for a, b in zip(times, times[1:])) / (end - begin)
+
+
 class TestThreads(unittest.TestCase):
     def test_other_threads_run(self):
         """A thread that waits for the update's begin gets on before its end."""
@@ -236,6 +258,72 @@ class TestThreads(unittest.TestCase):
         update(shading)
         thread.join()
         self.assertEqual(at_end, [True])
+
+    def test_other_threads_run_while_files_are_written(self):
+        noise = np.random.default_rng(3).normal(size=(1500, 1500))
+        picture = reliefshading.shade(noise, layers="normals")
+        with tempfile.TemporaryDirectory() as folder:
+            for extension in ("png", "tif"):
+                name = os.path.join(folder, "picture." + extension)
+                with self.subTest(extension):
+                    self.assertLess(longest_wait(lambda name=name: picture.save(name)), 0.5)
+                    self.assertGreater(os.path.getsize(name), 1e6)
+            if "vtkOpenImageIOWriter" not in reliefshading.__all__:
+                return
+            for kind in ("vtkOpenImageIOWriter", "vtkOpenEXRLayerWriter", "vtkReliefRasterWriter"):
+                if kind not in reliefshading.__all__:
+                    continue
+                shading = vtkImageReliefShading()
+                shading.SetInputData(image(1500, 1500))
+                shading.Update()
+                writer = getattr(reliefshading, kind)()
+                writer.SetInputData(shading.GetOutput())
+                name = os.path.join(folder, "written." + ("tif" if "Raster" in kind else "exr"))
+                writer.SetFileName(name)
+                with self.subTest(kind), raise_errors():
+                    self.assertLess(longest_wait(writer.Write), 0.5)
+                    self.assertGreater(os.path.getsize(name), 1e6)
+
+    def test_other_threads_run_while_a_height_scale_is_found(self):
+        heights = reliefshading.Relief(np.random.default_rng(3).normal(size=(3000, 3000))).filter.GetInput()
+        scene, fits = reliefshading.vtkReliefScene(), []
+        self.assertLess(longest_wait(lambda: fits.append(
+            reliefshading._errors._pipeline.fit_height_scale(scene, heights))), 0.5)
+        self.assertEqual(fits, [scene.GetHeightScale()])
+        self.assertEqual(fits, [reliefshading.vtkReliefScene().FitHeightScale(heights)])
+
+    @unittest.skipUnless("vtkOpenImageIOWriter" in reliefshading.__all__, "no files in this build")
+    def test_a_writer_after_python(self):
+        """Where a part of the pipeline is written in Python, the lock stays."""
+        source = Source(3)
+        writer = reliefshading.vtkOpenImageIOWriter()
+        writer.SetInputConnection(source.GetOutputPort())
+        with tempfile.TemporaryDirectory() as folder, raise_errors():
+            writer.SetFileName(os.path.join(folder, "made.exr"))
+            writer.Write()
+            self.assertTrue(os.path.exists(writer.GetFileName()))
+            with self.assertRaisesRegex(RuntimeError, "none"):
+                writer.SetFileName(os.path.join(folder, "none", "made.exr"))
+                writer.Write()
+
+    @unittest.skipUnless("vtkOpenImageIOWriter" in reliefshading.__all__, "no files in this build")
+    def test_ctrl_c_ends_writing(self):
+        """What was there stays."""
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
+        picture = reliefshading.shade(np.random.default_rng(3).normal(size=(3000, 3000)), dtype="float32")
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "picture.exr")
+            reliefshading.shade(np.zeros((3, 4)), dtype="float32").save(name)
+            with open(name, "rb") as file:
+                before = file.read()
+            thread = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+            thread.start()
+            with self.assertRaises(KeyboardInterrupt):
+                picture.save(name)
+            thread.join()
+            with open(name, "rb") as file:
+                self.assertEqual(file.read(), before)
+            self.assertEqual(os.listdir(folder), ["picture.exr"])
 
     def test_pictures_in_threads(self):
         heights = np.sin(np.arange(20000.0)).reshape(100, 200)
