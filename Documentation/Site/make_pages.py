@@ -36,8 +36,9 @@ class Site:
     def __init__(self, repository, folder):
         self.repository = repository
         self.folder = folder
-        gallery = sorted((repository / "Documentation" / "Gallery").glob("*.md"))
-        sources = [repository / "README.md", *sorted((repository / "Documentation").glob("*.md")), *gallery]
+        documentation = repository / "Documentation"
+        galleries = [page for folder in ("Gallery", "PyVista") for page in sorted((documentation / folder).glob("*.md"))]
+        sources = [repository / "README.md", *sorted(documentation.glob("*.md")), *galleries]
         self.pages = {path: path.stem for path in sources}
         if len(set(self.pages.values())) < len(sources):
             sys.exit("two pages have one name: " + ", ".join(path.name for path in sources))

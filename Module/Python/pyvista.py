@@ -23,18 +23,22 @@ import pyvista as pv
 
 import reliefshading
 
+if not hasattr(pv, "ImageData"):
+    raise ImportError("reliefshading.pyvista needs PyVista 0.40 or later; this is "
+                      f"{getattr(pv, '__version__', 'another module')}")
+
 from ._arrays import read_spacing
 from ._colors import Colors
 from ._datasets import Source, look_of
 from ._errors import update as update_algorithm
 from ._heights import Heights
-from ._keywords import LAYERS, OF_HEIGHTS, check_names, kept
+from ._keywords import LAYERS, OF_HEIGHTS, brief, check_names, kept
 from ._lights import Environments
 from ._relief import Relief, combined
 from ._scene import set_scene
 
-__all__ = ["LiveRelief", "add_drape", "add_light_widget", "add_relief", "drape", "read", "shade",
-           "update"]
+__all__ = ["LiveRelief", "add_drape", "add_light_widget", "add_relief", "drape", "from_xarray", "read",
+           "shade", "update"]
 # What is of arrays alone.
 _OF_ARRAYS = ("spacing", "alpha", "background")
 
@@ -44,7 +48,8 @@ def read(file_name, *, spacing=None, georeference=False):
 
     spacing: a number or (dx, dy), for files without a georeference, or instead of it; else rasters have
     that of the map in metres. georeference: whether the place on the map stays as field data, for
-    vtkReliefRasterWriter; other attributes of the file are left out.
+    vtkReliefRasterWriter; other attributes of the file are left out. A build without readers, as the
+    wheel is, reads rasters by rioxarray, where that is installed.
     """
     name = os.fsdecode(file_name)
     if spacing is not None:
@@ -56,7 +61,7 @@ def read(file_name, *, spacing=None, georeference=False):
     elif "vtkOpenImageIOReader" in kinds:
         reader = reliefshading.vtkOpenImageIOReader()
     else:
-        raise RuntimeError("this build of reliefshading reads no files")
+        return _read_by_rioxarray(name, spacing, georeference)
     reader.SetFileName(os.fsencode(name))
     if spacing is not None:
         reader.SetDataSpacing(*spacing, 1.0)
@@ -72,6 +77,51 @@ def read(file_name, *, spacing=None, georeference=False):
     if georeference and spacing is None:
         for key, value in field.items():
             image.field_data[key] = value
+    return image
+
+
+def from_xarray(array):
+    """Heights from an array of xarray, the north up, as an ImageData with the point data "Heights".
+
+    Spacing is as reliefshading.xarray has it: in metres where the coordinates tell it; heights in feet
+    become metres then. Where there is no data, they are NaN.
+    """
+    if type(array).__name__ != "DataArray":
+        raise TypeError(f"a DataArray of xarray is expected, not {type(array).__name__}")
+    from .xarray import ArrayRelief
+    placed = ArrayRelief(array, {})
+    heights = placed.relief._heights
+    values = heights.array
+    if heights.nodata is not None or placed.height_unit != 1.0:
+        values = np.where(values == heights.nodata, np.nan, values * placed.height_unit)
+    return _image_of(values, (heights.image.GetSpacing()[0], -heights.image.GetSpacing()[1]))
+
+
+def _image_of(values, spacing):
+    """An image of an array, whose first row is in the north."""
+    image = pv.ImageData(dimensions=(*values.shape[::-1], 1), spacing=(*spacing, 1.0))
+    image.point_data["Heights"] = np.ascontiguousarray(values[::-1]).ravel()
+    image.set_active_scalars("Heights")
+    return image
+
+
+def _read_by_rioxarray(name, spacing, georeference):
+    if georeference:
+        raise RuntimeError("georeference: this build of reliefshading writes no rasters, so it keeps no place on "
+                           "the map; rioxarray does both")
+    try:
+        import rioxarray
+    except ImportError:
+        raise RuntimeError("this build of reliefshading has no readers; install rioxarray, by which it reads "
+                           "rasters") from None
+    try:
+        raster = rioxarray.open_rasterio(name, mask_and_scale=True)
+    except Exception as error:  # of rasterio, which has many
+        raise RuntimeError(f"{brief(name, 70)} cannot be read: {brief(str(error).replace(name, 'it'), 110)}") from None
+    with raster:
+        image = from_xarray(raster.isel(band=0) if "band" in raster.dims else raster)
+    if spacing is not None:
+        image.spacing = (*spacing, 1.0)
     return image
 
 

@@ -79,6 +79,11 @@ class ArrayRelief:
             keywords["mask"] = self._turned(self._mask_of(keywords["mask"]))
         self.relief = Relief(self._turned(array), **self._placed(keywords))
 
+    @property
+    def height_unit(self):
+        """Metres per unit of the heights, or 1."""
+        return self._map.height_unit
+
     def shade(self, **keywords):
         result = self.relief.shade(**self._placed(keywords))
         bands = ["red", "green", "blue", "alpha"][:result.shape[2]]
