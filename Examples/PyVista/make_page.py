@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkJPEGWriter
 
 HERE = pathlib.Path(__file__).resolve().parent
-EXAMPLES = ("flat_picture", "draped_relief", "day_of_suns", "tint_and_layers", "filters")
+EXAMPLES = ("flat_picture", "two_views", "day_of_suns", "tint_and_layers", "filters")
 INTRODUCTION = """# Gallery of PyVista
 
 Reliefs in [PyVista](https://pyvista.org), by `reliefshading.pyvista`; [In Python](../Python.md#pyvista) is its reference. Each of these
