@@ -117,7 +117,8 @@ def _read_by_rioxarray(name, spacing, georeference):
     try:
         raster = rioxarray.open_rasterio(name, mask_and_scale=True)
     except Exception as error:  # of rasterio, which has many
-        raise RuntimeError(f"{brief(name, 70)} cannot be read: {brief(str(error).replace(name, 'it'), 110)}") from None
+        told = str(error).replace(name, "").strip(" :'`")
+        raise RuntimeError(f"{brief(name, 70)} cannot be read: {brief(told, 110)}") from None
     with raster:
         image = from_xarray(raster.isel(band=0) if "band" in raster.dims else raster)
     if spacing is not None:

@@ -5,6 +5,7 @@ import contextlib
 import io
 import os
 import re
+import tempfile
 import unittest
 
 import numpy as np
@@ -240,6 +241,24 @@ class TestXarray(unittest.TestCase):
         picture = dem.relief.shade(sun=(315, 30))
         self.assertLessEqual(np.abs(picture.values.astype(int) - image).max(), 2)
         self.assertEqual(picture.rio.crs, dem.rio.crs)
+
+    @unittest.skipUnless(rioxarray, "rioxarray is not installed")
+    def test_to_geotiff_and_back(self):
+        """A picture lies where its heights lie, whichever way their rows run."""
+        heights = rioxarray.open_rasterio(TERRAIN).squeeze("band")
+        with tempfile.TemporaryDirectory() as folder:
+            for name, dem in (("down", heights), ("up", heights[::-1])):
+                picture = dem.relief.shade(sun=(315, 25), height_scale=2)
+                path = os.path.join(folder, name + ".tif")
+                picture.transpose("band", ...).rio.to_raster(path)
+                with rioxarray.open_rasterio(path) as back:
+                    self.assertEqual(back.rio.crs, heights.rio.crs)
+                    np.testing.assert_allclose(tuple(back.rio.transform()),
+                                               tuple(dem.rio.transform(recalc=True)), rtol=1e-9)
+                    np.testing.assert_array_equal(back.transpose("y", "x", "band").values, picture.values)
+                np.testing.assert_allclose(picture.sortby("y").values.astype(int),
+                                           heights.relief.shade(sun=(315, 25), height_scale=2).sortby("y").values,
+                                           atol=1)
 
 
 if __name__ == "__main__":
