@@ -21,6 +21,7 @@ ROOMS = {
            "vtkReliefEnvironmentImage", "vtkReliefMeshReader", "vtkReliefSceneFile"),
     "Heights": ("vtkDepthToHeightField", "vtkNormalMapToHeightField", "vtkReliefCompression"),
     "Raster": ("vtkReliefRasterReader", "vtkReliefRasterWriter"),
+    "Streaming": (),
 }
 BUILT = os.environ.get("RELIEFSHADING_ROOMS", " ".join(ROOMS)).split()
 # Written in Python.
