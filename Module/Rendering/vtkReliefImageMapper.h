@@ -13,8 +13,8 @@
  * the vtkImageProperty's InterpolationType decides: nearest, or else bilinear. Opacity, Border,
  * cropping, clipping planes, picking and the slice's matrix work as with vtkImageSliceMapper;
  * window, level, lookup table, ambient and diffuse of the vtkImageProperty, and Background, do not
- * apply. Samples without data are transparent. Beside a vtkShadowMapPass the picture stays as it is,
- * and its rectangle throws a shadow.
+ * apply. Samples without data are transparent. Beside a vtkShadowMapPass the picture stays as it
+ * is, and its rectangle throws a shadow.
  *
  * The scene's lights are in the coordinates of the image, as for the filter: they move with the
  * slice. A scene without lights is lit by the renderer's lights, in world coordinates, but for
