@@ -302,6 +302,7 @@ int vtkReliefRasterReader::RequestInformation(vtkInformation* vtkNotUsed(request
     info->Set(vtkDataObject::SPACING(), spacing, 3);
     info->Set(vtkDataObject::ORIGIN(), this->DataOrigin, 3);
     info->Set(vtkDataObject::DIRECTION(), DirectionMatrix(header.Direction).data(), 9);
+    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
     vtkDataObject::SetPointDataActiveScalarInfo(info, port == 0 ? type : VTK_UNSIGNED_CHAR, 1);
   }
   return 1;
