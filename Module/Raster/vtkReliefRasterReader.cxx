@@ -309,25 +309,21 @@ int vtkReliefRasterReader::RequestInformation(vtkInformation* vtkNotUsed(request
 }
 
 //------------------------------------------------------------------------------
-/// What is asked for at either port.
-static RasterFile::Window PartOf(vtkInformationVector* outputs, const int whole[6])
+/// What is asked for. Of the other port, which nobody may have asked, the pipeline says the whole.
+static RasterFile::Window PartOf(
+  vtkInformation* request, vtkInformationVector* outputs, const int whole[6])
 {
-  RasterFile::Window part{ whole[1] + 1, whole[0], whole[3] + 1, whole[2] };
-  for (int port = 0; port < 2; ++port)
+  const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
+    ? std::max(request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()), 0)
+    : 0;
+  const int* asked =
+    outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+  if (!asked || asked[0] > asked[1] || asked[2] > asked[3])
   {
-    const int* asked =
-      outputs->GetInformationObject(port)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
-    if (asked && asked[0] <= asked[1] && asked[2] <= asked[3])
-    {
-      part.i0 = std::max(std::min(part.i0, asked[0]), whole[0]);
-      part.i1 = std::min(std::max(part.i1, asked[1] + 1), whole[1] + 1);
-      part.j0 = std::max(std::min(part.j0, asked[2]), whole[2]);
-      part.j1 = std::min(std::max(part.j1, asked[3] + 1), whole[3] + 1);
-    }
+    return { whole[0], whole[1] + 1, whole[2], whole[3] + 1 };
   }
-  return part.i0 < part.i1 && part.j0 < part.j1
-    ? part
-    : RasterFile::Window{ whole[0], whole[1] + 1, whole[2], whole[3] + 1 };
+  return { std::max(asked[0], whole[0]), std::min(asked[1], whole[1]) + 1,
+    std::max(asked[2], whole[2]), std::min(asked[3], whole[3]) + 1 };
 }
 
 //------------------------------------------------------------------------------
@@ -430,7 +426,7 @@ void vtkReliefRasterReader::Internals::ReadTiles(
 }
 
 //------------------------------------------------------------------------------
-int vtkReliefRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
+int vtkReliefRasterReader::RequestData(vtkInformation* request,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkImageData* outputs[2] = { vtkImageData::GetData(outputVector, 0),
@@ -455,7 +451,7 @@ int vtkReliefRasterReader::RequestData(vtkInformation* vtkNotUsed(request),
       }
       const std::unique_ptr<RasterFile> file = Open(name, OptionsOf(this));
       this->Header->Check(file->GetHeader());
-      this->Header->ReadPart(*file, PartOf(outputVector, this->DataExtent), outputs);
+      this->Header->ReadPart(*file, PartOf(request, outputVector, this->DataExtent), outputs);
     },
     reason);
 
