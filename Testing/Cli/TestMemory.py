@@ -273,16 +273,22 @@ class Errors(Memory):
 @unittest.skipUnless(shutil.which("mpirun"), "needs mpirun")
 class Processes(Memory):
     ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_btl_vader_single_copy_mechanism="none")
+                       OMPI_MCA_rmaps_base_oversubscribe="1",
+                       PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe",  # Open MPI 5
+                       OMPI_MCA_btl_vader_single_copy_mechanism="none")
 
     def mpi(self, count, *words):
-        return subprocess.run(["mpirun", "-np", str(count), PROGRAM, *words], cwd=self.folder,
+        done = subprocess.run(["mpirun", "-np", str(count), PROGRAM, *words], cwd=self.folder,
                               env=self.ENVIRONMENT, capture_output=True, text=True, timeout=500)
+        # What Open MPI itself says where it finds no /sys.
+        done.stderr = "".join(line for line in done.stderr.splitlines(True)
+                              if not line.startswith("hwloc"))
+        return done
 
     def setUp(self):
         super().setUp()
         works = subprocess.run(["mpirun", "-np", "2", "true"], env=self.ENVIRONMENT, capture_output=True)
-        if works.returncode != 0 or works.stderr:
+        if works.returncode != 0:
             self.skipTest("mpirun starts nothing here")
         result = self.mpi(2, "a.tif", "tiles.tif", *MEMORY)
         if "without MPI" in result.stderr:

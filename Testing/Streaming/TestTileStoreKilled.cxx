@@ -90,7 +90,7 @@ int TestTileStoreKilled(int argc, char* argv[])
       Work(folder);
       _exit(0);
     }
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 6000));
     kill(child, SIGKILL);
     int status = 0;
     waitpid(child, &status, 0);
@@ -100,7 +100,7 @@ int TestTileStoreKilled(int argc, char* argv[])
     before = std::max(before, count);
   }
   std::cout << kills << " processes were killed; " << before << " pieces were there" << std::endl;
-  CHECK(kills >= 5);
+  CHECK(kills >= 2);
   Work(folder);
   CHECK(CheckPieces(folder) == Pieces);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
