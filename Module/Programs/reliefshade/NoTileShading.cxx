@@ -18,7 +18,8 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-bool readsAsNeeded(const Options& options)
+bool readsAsNeeded(
+  const Options& options, const ReadOptions&, std::unique_ptr<relief::raster::RasterFile>&)
 {
   if (options.Memory > 0.0)
   {

@@ -325,13 +325,14 @@ std::unique_ptr<relief::raster::RasterFile> openRaster(
 }
 
 //------------------------------------------------------------------------------
-Raster readRaster(
-  const std::string& file, const ReadOptions& options, MemoryBudget& budget, double bytesPerSample)
+Raster readRaster(const std::string& file, const ReadOptions& options, MemoryBudget& budget,
+  double bytesPerSample, std::unique_ptr<relief::raster::RasterFile> opened)
 {
   Raster raster;
   const auto read = [&]
   {
-    const std::unique_ptr<relief::raster::RasterFile> source = openRaster(file, options);
+    const std::unique_ptr<relief::raster::RasterFile> source =
+      opened ? std::move(opened) : openRaster(file, options);
     raster = relief::raster::ReadHeights(*source, options, { budget, 1.0, bytesPerSample }, goOn);
   };
   aboutFile(file,

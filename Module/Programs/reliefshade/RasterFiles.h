@@ -27,9 +27,9 @@ std::unique_ptr<relief::raster::RasterFile> openRaster(
 
 /// Reads heights from any raster that Module/Raster knows, else from a picture that OpenImageIO
 /// knows, in the file's own number type; `bytesPerSample` is what each of them will need besides.
-/// Throws a Failure that names the file.
+/// `opened` may be the file, opened with these options. Throws a Failure that names the file.
 Raster readRaster(const std::string& file, const ReadOptions& options, MemoryBudget& budget,
-  double bytesPerSample = 0.0);
+  double bytesPerSample = 0.0, std::unique_ptr<relief::raster::RasterFile> opened = nullptr);
 
 /// Masks heights, which `heights` names, by a raster of their size: there is no data where that is
 /// 0, or its alpha or mask hides it; of several colours with an alpha the alpha alone counts,

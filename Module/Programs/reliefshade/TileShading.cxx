@@ -82,7 +82,8 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-bool readsAsNeeded(const Options& options)
+bool readsAsNeeded(const Options& options, const ReadOptions& reading,
+  std::unique_ptr<relief::raster::RasterFile>& opened)
 {
   // With a limit that was given, and nothing else, what needs more is refused.
   const bool may = options.Memory > 0.0 || !options.MemoryLimitGiven;
@@ -98,12 +99,11 @@ bool readsAsNeeded(const Options& options)
     {
       try
       {
-        const std::unique_ptr<relief::raster::RasterFile> file =
-          openRaster(options.Input, options.Reading);
-        const relief::raster::RasterHeader& header = file->GetHeader();
+        opened = openRaster(options.Input, reading);
+        const relief::raster::RasterHeader& header = opened->GetHeader();
         samples = 1.0 * header.Columns * header.Rows;
         stored = vtkDataArray::GetDataTypeSize(std::max(header.ScalarType, 1));
-        windows = file->HasWindows();
+        windows = opened->HasWindows();
       }
       catch (const relief::raster::OptionFailure&)
       {

@@ -26,8 +26,10 @@ namespace reliefshade
 struct Options;
 
 /// Whether the heights would not fit into the memory that the run may take, and can be read as they
-/// are needed. Throws a Failure where an option needs them all at once.
-bool readsAsNeeded(const Options& options);
+/// are needed. What has been opened for that is left to be read. Throws a Failure where an option
+/// needs them all at once.
+bool readsAsNeeded(const Options& options, const ReadOptions& reading,
+  std::unique_ptr<relief::raster::RasterFile>& opened);
 
 /// Reads the header of heights that are read as they are needed, with a mask if there is one, and
 /// goes through them once. Throws a Failure.

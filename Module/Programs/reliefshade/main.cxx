@@ -285,13 +285,15 @@ void run(Options& options)
   ReadOptions reading = options.Reading;
   reading.Padded = options.Tint.empty(); // colour tables take heights in one piece
   bool tiled = false;
-  ranks().Together([&] { tiled = readsAsNeeded(options); });
+  std::unique_ptr<relief::raster::RasterFile> opened;
+  ranks().Together([&] { tiled = readsAsNeeded(options, reading, opened); });
   Raster raster = tiled     ? readAsNeeded(options)
     : isMesh(options.Input) ? readMesh(options.Input, options.View, budget, bytesPerSample(options))
-    : options.Sculpted.Green ? readNormalMap(options.Input, options.Mask,
-                                 options.Spacing.value_or(std::array<double, 2>{ 1.0, 1.0 }),
-                                 options.Sculpted, budget, bytesPerSample(options))
-                             : readRaster(options.Input, reading, budget, bytesPerSample(options));
+    : options.Sculpted.Green
+    ? readNormalMap(options.Input, options.Mask,
+        options.Spacing.value_or(std::array<double, 2>{ 1.0, 1.0 }), options.Sculpted, budget,
+        bytesPerSample(options))
+    : readRaster(options.Input, reading, budget, bytesPerSample(options), std::move(opened));
   if (!options.Mask.empty() && !options.Sculpted.Green && !tiled)
   {
     addMask(options.Mask, ReadOptions(), options.Input, budget, raster);
