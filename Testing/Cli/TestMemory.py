@@ -70,6 +70,21 @@ class Pictures(Memory):
         self.good("a.tif", "tiles.tif", "--shadow-mask", "m2.tif", "--sun", "300,5", *MEMORY)
         self.assertEqual(self.bytes_("m1.tif"), self.bytes_("m2.tif"))
 
+    @unittest.skipUnless(shutil.which("idiff"), "needs idiff of OpenImageIO")
+    def test_openexr_in_tiles(self):
+        words = ("--sun", "300,10", "--layers", "illumination,normals")
+        self.good("a.tif", "whole.exr", *words)
+        self.good("a.tif", "tiles.exr", *words, *MEMORY)
+        self.assertTrue(os.path.exists(self.path("a.tif.bounds.tif")), "it was shaded in pieces")
+        for name in ("%s.exr", "%s-illumination.exr", "%s-normals.exr"):
+            # Compared as numbers; those that are none are in both.
+            result = subprocess.run(["idiff", "-fail", "0", name % "whole", name % "tiles"],
+                                    cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual(result.returncode, 0, result.stdout)
+        header = subprocess.run(["iinfo", "-v", "tiles.exr"], cwd=self.folder, capture_output=True,
+                                text=True).stdout
+        self.assertIn("tile size: 64 x 64", header)
+
     def test_a_mask_that_is_given(self):
         subprocess.run(["gdal_translate", "-q", "-ot", "Byte", "-scale", "300", "700", "0", "4", "a.tif",
                         "mask.tif"], cwd=self.folder, check=True)
@@ -252,8 +267,14 @@ class Errors(Memory):
             self.bad(2, ["--memory", "a number of bytes"], "a.tif", "o.tif", "--memory=" + word)
 
     def test_too_little(self):
-        self.bad(1, ["--memory", "give at least"], "a.tif", "o.tif", "--memory", "10K")
+        self.bad(1, ["--memory", "give at least"], "a.tif", "o.tif", "--memory", "40K")
         self.assertFalse(os.path.exists(self.path("o.tif.parts")))
+
+    def test_formats_that_are_written_as_a_whole(self):
+        self.good("a.tif", "whole.png")
+        self.good("a.tif", "tiles.png", "--memory", "20M")
+        self.assertEqual(self.bytes_("tiles.png"), self.bytes_("whole.png"))
+        self.bad(1, ["--memory", "kept", "TIFF or OpenEXR"], "a.tif", "o.png", "--memory", "10M")
 
     def test_what_needs_all_heights(self):
         for words in (("--smooth-steps",), ("--verify", "10"), ("--accuracy-report", "r.csv"),

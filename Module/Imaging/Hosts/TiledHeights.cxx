@@ -133,7 +133,7 @@ std::unique_ptr<HeightSurvey> TiledHeights::MakeSurvey(double scale, double datu
   const int columns = this->Supply->GetColumns();
   const int rows = this->Supply->GetRows();
   constexpr double enough = 2.0 * 1024.0 * 1024.0; // samples
-  const int chunk = RegionSize * std::max(1, static_cast<int>(enough / columns / RegionSize));
+  const int chunk = std::max(8, static_cast<int>(enough / columns));
   const int threads = std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1);
   const int group = std::min(chunk * threads, rows);
   std::vector<float> lengths(static_cast<std::size_t>(group) * columns);

@@ -5,7 +5,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,17 @@ namespace reliefshade
 {
 
 struct Drawing;
+
+/// A picture of float numbers that is written some rows at a time, the upper ones first.
+class PictureRows
+{
+public:
+  virtual ~PictureRows() = default;
+
+  /// `bytes` are those from one row to the next in memory.
+  virtual void Write(int rows, const void* first, std::ptrdiff_t bytes) = 0;
+  virtual void Finish() = 0;
+};
 
 /// What takes VTK::IOReliefShading, whose 260 libraries of image formats take longer to load than a
 /// small raster to shade: pictures in other formats than GeoTIFF, layers for compositing, scenes,
@@ -54,6 +67,10 @@ public:
 
   /// A vtkOpenImageIOWriter that writes under the very name that it gets.
   virtual vtkSmartPointer<vtkImageWriter> NewWriter() const = 0;
+
+  /// A TiledPicture of Module/IO. Throws a Failure of Module/Files, as its functions do.
+  virtual std::unique_ptr<PictureRows> NewTiledPicture(
+    const std::string& file, const int size[2], int components) const = 0;
 
   /// A vtkOpenEXRLayerWriter that does, too.
   virtual vtkSmartPointer<vtkImageWriter> NewLayerWriter(

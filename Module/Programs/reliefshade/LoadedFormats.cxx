@@ -5,6 +5,7 @@
 #include "LoadedFormats.h"
 
 #include "DrawingPicture.h"
+#include "TiledPicture.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -17,6 +18,23 @@
 
 namespace
 {
+
+class TiledRows : public reliefshade::PictureRows
+{
+public:
+  TiledRows(const std::string& file, const int size[2], int components)
+    : Picture(file, size, components)
+  {
+  }
+  void Write(int rows, const void* first, std::ptrdiff_t bytes) override
+  {
+    this->Picture.Write(rows, first, bytes);
+  }
+  void Finish() override { this->Picture.Finish(); }
+
+private:
+  relief::io::TiledPicture Picture;
+};
 
 class LoadedFormats : public reliefshade::ImageFormats
 {
@@ -74,6 +92,12 @@ public:
     auto writer = vtkSmartPointer<vtkOpenImageIOWriter>::New();
     writer->StagingOff();
     return writer;
+  }
+
+  std::unique_ptr<reliefshade::PictureRows> NewTiledPicture(
+    const std::string& file, const int size[2], int components) const override
+  {
+    return std::make_unique<TiledRows>(file, size, components);
   }
 
   vtkSmartPointer<vtkImageWriter> NewLayerWriter(

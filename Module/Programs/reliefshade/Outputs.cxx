@@ -125,7 +125,7 @@ Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
   if (!options.Output.empty())
   {
     const PictureForm form = formOfOutput(options, relief::raster::LacksData(raster));
-    this->Picture.emplace(options.Output, form, this->Reference);
+    this->Picture.emplace(options.Output, form, this->Reference, isTiled(raster));
     bytes += this->Picture->GetBytesPerSample();
   }
   if (!options.LayersFile.empty())
@@ -137,8 +137,8 @@ Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
     for (const std::string& layer : options.Layers)
     {
       const PictureForm form = formOfLayer(options, layerComponents(layer));
-      this->LayerPictures.push_back(
-        std::make_unique<PictureOutput>(layerFile(options.Output, layer), form, this->Reference));
+      this->LayerPictures.push_back(std::make_unique<PictureOutput>(
+        layerFile(options.Output, layer), form, this->Reference, isTiled(raster)));
       bytes += this->LayerPictures.back()->GetBytesPerSample();
     }
   }

@@ -189,12 +189,13 @@ bool isGeoTiff(const std::string& file)
 
 //------------------------------------------------------------------------------
 PictureOutput::PictureOutput(
-  const std::string& file, const PictureForm& form, const GeoReference& reference)
+  const std::string& file, const PictureForm& form, const GeoReference& reference, bool streamed)
   : File(file)
   , Form(form)
   , Reference(reference)
   , Tiff(isGeoTiff(file))
   , Referenced(this->Tiff && reference.Present)
+  , Streamed(streamed && lowerExtension(file) == ".exr" && form.ScalarType == VTK_FLOAT)
 {
   if (!this->Tiff)
   {
@@ -257,7 +258,7 @@ void PictureOutput::TryFormat()
 //------------------------------------------------------------------------------
 double PictureOutput::GetBytesPerSample() const
 {
-  return this->Tiff ? 0.0 : static_cast<double>(bytesPerSample(this->Form));
+  return this->Tiff || this->Streamed ? 0.0 : static_cast<double>(bytesPerSample(this->Form));
 }
 
 //------------------------------------------------------------------------------
@@ -281,6 +282,15 @@ void PictureOutput::AboutTiff(const std::function<void()>& step) const
 void PictureOutput::Begin(const int size[2])
 {
   std::copy_n(size, 2, this->Size);
+  if (this->Streamed)
+  {
+    aboutFile(this->File.Target(),
+      [this]
+      {
+        this->Tiles =
+          imageFormats().NewTiledPicture(this->File.Name(), this->Size, this->Form.GetComponents());
+      });
+  }
 #ifdef RELIEFRASTER_USE_GDAL
   if (this->Tiff)
   {
@@ -318,7 +328,7 @@ void PictureOutput::WriteRows(vtkImageData* part)
   const int rows = extent[3] - extent[2] + 1;
   vtkDataArray* scalars = part->GetPointData()->GetScalars();
   const std::size_t bytes = bytesPerSample(this->Form) * this->Size[0];
-  if (!this->Tiff)
+  if (!this->Tiff && !this->Streamed)
   {
     if (!this->Whole)
     {
@@ -332,7 +342,6 @@ void PictureOutput::WriteRows(vtkImageData* part)
     }
     return;
   }
-#ifdef RELIEFRASTER_USE_GDAL
   this->Buffer.resize(bytes * static_cast<std::size_t>(rows));
   for (int k = 0; k < rows; ++k)
   {
@@ -340,6 +349,13 @@ void PictureOutput::WriteRows(vtkImageData* part)
     takeRow(scalars, vtkIdType(j) * this->Size[0], this->Size[0], this->Form,
       this->Buffer.data() + static_cast<std::size_t>(k) * bytes);
   }
+  if (this->Streamed)
+  {
+    aboutFile(this->File.Target(),
+      [&] { this->Tiles->Write(rows, this->Buffer.data(), static_cast<std::ptrdiff_t>(bytes)); });
+    return;
+  }
+#ifdef RELIEFRASTER_USE_GDAL
   this->AboutTiff(
     [&]
     {
@@ -352,6 +368,12 @@ void PictureOutput::WriteRows(vtkImageData* part)
 //------------------------------------------------------------------------------
 void PictureOutput::Finish()
 {
+  if (this->Streamed)
+  {
+    aboutFile(this->File.Target(), [this] { this->Tiles->Finish(); });
+    this->Tiles.reset();
+    return;
+  }
 #ifdef RELIEFRASTER_USE_GDAL
   if (this->Tiff)
   {

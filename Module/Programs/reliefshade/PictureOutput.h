@@ -21,6 +21,8 @@ class GeoTiffFile;
 namespace reliefshade
 {
 
+class PictureRows;
+
 /// The extension of a file's name with its dot, in lower case.
 std::string lowerExtension(const std::string& file);
 
@@ -48,7 +50,10 @@ public:
   /// the result: nobody wants to hear of it after the shading. What the format lacks of the form is
   /// left out: alpha, where samples without data are black then, or grey. Throws a Failure that
   /// names the file.
-  PictureOutput(const std::string& file, const PictureForm& form, const GeoReference& reference);
+  /// A `streamed` one is not put together in memory where its format can do without: OpenEXR, whose
+  /// float numbers are written in tiles.
+  PictureOutput(const std::string& file, const PictureForm& form, const GeoReference& reference,
+    bool streamed = false);
   ~PictureOutput();
 
   ///@{
@@ -85,11 +90,13 @@ private:
   const GeoReference& Reference;
   bool Tiff;
   bool Referenced;
+  bool Streamed;
   int Size[2] = { 0, 0 };
 #ifdef RELIEFRASTER_USE_GDAL
   std::unique_ptr<relief::raster::GeoTiffFile> Rows; // of a TIFF
 #endif
   std::vector<char> Buffer;            // rows in the file's order and form
+  std::unique_ptr<PictureRows> Tiles;  // of OpenEXR, if it is streamed
   vtkSmartPointer<vtkImageData> Whole; // of another format
 };
 

@@ -37,6 +37,8 @@ using relief::hosts::TiledHeights;
 using relief::raster::TiledRaster;
 
 constexpr double MiB = 1024.0 * 1024.0;
+/// What is known of all heights takes, for a sample.
+constexpr double BoundsBytes = 0.007;
 
 //------------------------------------------------------------------------------
 /// The memory that a run may take; 0 for any.
@@ -110,8 +112,11 @@ bool readsAsNeeded(const Options& options, const ReadOptions& reading,
         return; // reading tells it
       }
     });
-  const double picture = options.Output.empty() || isGeoTiff(options.Output) ? 0.0 : 4.0;
-  const double bytes = stored + bytesPerSample(options) + picture;
+  // In pieces the bounds stay in memory, and pictures of formats that are written as a whole.
+  const bool tiff = options.Output.empty() || isGeoTiff(options.Output);
+  const bool exr = lowerExtension(options.Output) == ".exr";
+  const double bytes = stored + bytesPerSample(options) + (tiff ? 0.0 : exr ? 16.0 : 4.0);
+  const double kept = samples * (BoundsBytes + (tiff || exr ? 0.0 : 4.0));
   if (!windows && countRanks() > 1)
   {
     throw Failure(options.Input,
@@ -121,6 +126,18 @@ bool readsAsNeeded(const Options& options, const ReadOptions& reading,
   if (!windows || (samples * bytes <= memoryOf(options) && countRanks() < 2))
   {
     return false;
+  }
+  if (kept > 0.5 * memoryOf(options))
+  {
+    if (options.Memory > 0.0)
+    {
+      throw Failure("--memory",
+        "what has to be kept of all samples takes about " +
+          std::to_string(static_cast<long long>(std::ceil(kept / MiB))) +
+          " MiB; give twice as much" +
+          (tiff || exr ? "" : ", or write TIFF or OpenEXR, which are not kept"));
+    }
+    return false; // and is refused
   }
   const std::string whole = optionOfWholes(options);
   if (!whole.empty())
@@ -248,7 +265,8 @@ void TileShading::Cut(double sampleBytes)
   const int most = region * std::clamp(this->Heights.Rows / usualPieces / region, 1, 16);
   const int width = (this->Heights.Columns + region - 1) / region * region;
   // The rest is for the program itself, the bounds of all heights, and what files are read through.
-  const double memory = 0.7 * memoryOf(this->Given);
+  const double samples = 1.0 * this->Heights.Columns * this->Heights.Rows;
+  const double memory = 0.7 * memoryOf(this->Given) - BoundsBytes * samples;
   this->Columns = width;
   this->Rows = most;
   double largest = 0.0;
