@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightFit.h"
 
+#include "HeightReader.h"
 #include "HeightTypes.h"
 
 #include <algorithm>
@@ -267,15 +268,9 @@ double FitHeightScale(const SampledHeights& source, const ParallelFor& parallelF
 template <class T>
 double FitHeightScale(const HeightSource<T>& source, const ParallelFor& parallelFor)
 {
-  const std::optional<T> noData = source.hasNoData ? NoDataOf<T>(source.noData) : std::nullopt;
-  SampledHeights samples{ source.columns, source.rows, source.spacingX, source.spacingY,
-    [&source, noData](int i, int j, double& height)
-    {
-      const T stored = source.data[i * source.stepX + j * source.stepY];
-      height = static_cast<double>(stored);
-      return std::isfinite(height) && !(noData && stored == *noData) &&
-        !(source.hasData && !source.hasData(i, j));
-    } };
+  const HeightReader<T> reader(source);
+  const SampledHeights samples{ source.columns, source.rows, source.spacingX, source.spacingY,
+    [&reader](int i, int j, double& height) { return reader.ReadStored(i, j, height); } };
   return FitHeightScale(samples, parallelFor);
 }
 

@@ -78,6 +78,15 @@ public:
     this->ApplyMask(j, row);
   }
 
+  /// A sample as it is stored. Returns whether it has data.
+  bool ReadStored(int i, int j, double& height) const
+  {
+    const T stored = this->Source.data[i * this->Source.stepX + j * this->Source.stepY];
+    height = static_cast<double>(stored);
+    return std::isfinite(height) && !(this->NoData && stored == *this->NoData) &&
+      !(this->Source.hasData && !this->Source.hasData(i, j));
+  }
+
 private:
   template <class Real>
   void ApplyMask(int j, Real* row) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HeightSteps.h"
 
+#include "HeightReader.h"
 #include "HeightTypes.h"
 
 #include <algorithm>
@@ -35,29 +36,6 @@ int Apart(int columns, int rows)
   }
   return apart;
 }
-
-template <class T>
-class Reader
-{
-public:
-  explicit Reader(const HeightSource<T>& source)
-    : Source(source)
-    , NoData(source.hasNoData ? NoDataOf<T>(source.noData) : std::nullopt)
-  {
-  }
-
-  bool Read(int i, int j, double& height) const
-  {
-    const T stored = this->Source.data[i * this->Source.stepX + j * this->Source.stepY];
-    height = static_cast<double>(stored);
-    return std::isfinite(height) && !(this->NoData && stored == *this->NoData) &&
-      !(this->Source.hasData && !this->Source.hasData(i, j));
-  }
-
-private:
-  const HeightSource<T>& Source;
-  std::optional<T> NoData;
-};
 
 // The field, or means over its blocks, in steps: what is stored and how it is smoothed. A link is
 // how much a sample and its neighbour to the right, or above, draw each other.
@@ -266,7 +244,7 @@ void StartFrom(const Level& coarse, Level& fine, const ParallelFor& parallelFor)
 template <class T>
 HeightSteps FindHeightSteps(const HeightSource<T>& source)
 {
-  const Reader<T> reader(source);
+  const HeightReader<T> reader(source);
   const int apart = Apart(source.columns, source.rows);
   std::vector<double> heights;
   for (int j = 0; j < source.rows; j += apart)
@@ -274,7 +252,7 @@ HeightSteps FindHeightSteps(const HeightSource<T>& source)
     for (int i = 0; i < source.columns; i += apart)
     {
       double height = 0.0;
-      if (reader.Read(i, j, height))
+      if (reader.ReadStored(i, j, height))
       {
         heights.push_back(height);
       }
@@ -299,14 +277,14 @@ void SmoothHeightSteps(
   const HeightSource<T>& source, double step, const ParallelFor& parallelFor, Out* result)
 {
   // Steps are counted from a height of the field, which may lie high.
-  const Reader<T> reader(source);
+  const HeightReader<T> reader(source);
   double first = 0.0;
   bool any = false;
   for (int j = 0; j < source.rows && !any; ++j)
   {
     for (int i = 0; i < source.columns && !any; ++i)
     {
-      any = reader.Read(i, j, first);
+      any = reader.ReadStored(i, j, first);
     }
   }
   std::vector<Level> levels;
@@ -317,7 +295,7 @@ void SmoothHeightSteps(
       for (int i = 0; i < source.columns; ++i)
       {
         double height = 0.0;
-        if (reader.Read(i, j, height))
+        if (reader.ReadStored(i, j, height))
         {
           levels[0].stored[levels[0].At(i, j)] = static_cast<float>((height - first) / step);
         }
@@ -350,7 +328,7 @@ void SmoothHeightSteps(
       {
         const std::size_t at = field.At(i, j);
         double height = 0.0;
-        const bool data = reader.Read(i, j, height);
+        const bool data = reader.ReadStored(i, j, height);
         const double moved = static_cast<double>(field.smooth[at]) - field.stored[at];
         result[at] = data ? static_cast<Out>(height + step * std::clamp(moved, -0.5, 0.5))
                           : std::numeric_limits<Out>::quiet_NaN();
@@ -363,7 +341,7 @@ void SmoothHeightSteps(
 template <class T>
 bool HasMoreLevels(const HeightSource<T>& source, std::size_t most)
 {
-  const Reader<T> reader(source);
+  const HeightReader<T> reader(source);
   const int apart = Apart(source.columns, source.rows);
   std::vector<double> levels; // in order
   for (int j = 0; j < source.rows; j += apart)
@@ -372,7 +350,7 @@ bool HasMoreLevels(const HeightSource<T>& source, std::size_t most)
     for (int i = 0; i < source.columns; i += apart)
     {
       double height = 0.0;
-      if (!reader.Read(i, j, height) || height == last)
+      if (!reader.ReadStored(i, j, height) || height == last)
       {
         continue;
       }
@@ -404,7 +382,7 @@ bool ShowsTerraces(const HeightSource<T>& source)
   {
     return false;
   }
-  const Reader<T> reader(source);
+  const HeightReader<T> reader(source);
   const int apart = Apart(source.columns, source.rows);
   std::int64_t same = 0;
   std::int64_t single = 0;
@@ -415,7 +393,7 @@ bool ShowsTerraces(const HeightSource<T>& source)
     {
       double a = 0.0;
       double b = 0.0;
-      if (reader.Read(i, j, a) && reader.Read(i + 1, j, b))
+      if (reader.ReadStored(i, j, a) && reader.ReadStored(i + 1, j, b))
       {
         const double steep = std::abs(a - b) / steps.step;
         ++(steep < 0.5 ? same : steep < Flank ? single : more);

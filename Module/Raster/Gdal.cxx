@@ -44,6 +44,18 @@ NamedSystem& Last()
 }
 
 //------------------------------------------------------------------------------
+GDALDriver* FindDriver(const char* name)
+{
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name);
+  if (!driver)
+  {
+    throw io::Failure(
+      vtkErrorCode::CannotOpenFileError, std::string("this GDAL has no driver ") + name);
+  }
+  return driver;
+}
+
+//------------------------------------------------------------------------------
 GdalErrors::GdalErrors()
 {
   if (GDALGetDriverCount() == 0)

@@ -35,6 +35,9 @@ struct CloseDataset
 };
 using DatasetPointer = std::unique_ptr<GDALDataset, CloseDataset>;
 
+/// One of GDAL's formats. Throws a Failure where this GDAL lacks it.
+VTKIORELIEFRASTER_EXPORT GDALDriver* FindDriver(const char* name);
+
 /// Opens a raster for reading; null if the file is not one of GDAL's. Throws a Failure.
 DatasetPointer OpenDataset(const std::string& file);
 

@@ -70,18 +70,6 @@ const char* NameOf(GeoTiffForm::Compressions compression)
 }
 
 //------------------------------------------------------------------------------
-GDALDriver* FindDriver(const char* name)
-{
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name);
-  if (!driver)
-  {
-    throw io::Failure(
-      vtkErrorCode::CannotOpenFileError, std::string("this GDAL has no driver ") + name);
-  }
-  return driver;
-}
-
-//------------------------------------------------------------------------------
 /// What GDAL warns of, which is refused here: an option that is passed over has been misspelt.
 void CPL_STDCALL KeepWarning(CPLErr, CPLErrorNum, const char* message)
 {

@@ -5,11 +5,10 @@
 #include "HeightHash.h"
 #include "HeightInputs.h"
 #include "StagedFile.h"
+#include "TiledHeights.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
-
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <array>
@@ -159,16 +158,9 @@ std::string HashOfProbes(hosts::HeightSupply& heights)
   {
     const int j = static_cast<int>((2LL * k + 1) * rows / (2LL * std::min(probes, rows)));
     const hosts::HeightSupply::Part part = heights.Read({ 0, heights.GetColumns(), j, j + 1 });
-    hosts::HeightInputs inputs;
-    inputs.image = part.heights;
-    inputs.scalars = part.heights->GetPointData()->GetScalars();
-    inputs.mask = part.mask;
-    inputs.maskScalars = part.mask ? part.mask->GetPointData()->GetScalars() : nullptr;
-    inputs.useNoData = part.useNoData;
-    inputs.noData = part.noData;
     const double unit[2] = { 1.0, 1.0 };
-    hosts::WithHeightSource(
-      inputs, unit, [&hash](const auto& row) { hash = MixHash(hash, HashRow(row, 0)); });
+    hosts::WithHeightSource(hosts::InputsOf(part, 1.0), unit,
+      [&hash](const auto& row) { hash = MixHash(hash, HashRow(row, 0)); });
   }
   return HashText(hash);
 }

@@ -42,7 +42,6 @@ public:
   static void LimitDecoding(double bytes);
 
   const RasterHeader& GetHeader() const { return this->Header; }
-  const std::string& GetName() const { return this->Name; }
 
   /// What tells this state of the heights: the file's names, sizes and dates, how it is read, and a
   /// hash of some of its rows. Empty for what is no file.

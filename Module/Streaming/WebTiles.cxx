@@ -34,6 +34,7 @@ namespace relief::streaming
 namespace
 {
 using raster::DatasetPointer;
+using raster::FindDriver;
 using raster::GdalErrors;
 
 constexpr const char* PictureFile = "shaded.tif";
@@ -102,23 +103,11 @@ bool IsEmpty(const Samples& samples)
 }
 
 //------------------------------------------------------------------------------
-GDALDriver* DriverOf(const char* name)
-{
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name);
-  if (!driver)
-  {
-    throw io::Failure(
-      vtkErrorCode::CannotOpenFileError, std::string("this GDAL has no driver ") + name);
-  }
-  return driver;
-}
-
-//------------------------------------------------------------------------------
 void WriteTile(const fs::path& file, int size, Samples& samples)
 {
   const GdalErrors errors;
   const CPLConfigOptionSetter noSideFiles("GDAL_PAM_ENABLED", "NO", false);
-  const DatasetPointer memory(DriverOf("MEM")->Create("", size, size, 4, GDT_Byte, nullptr));
+  const DatasetPointer memory(FindDriver("MEM")->Create("", size, size, 4, GDT_Byte, nullptr));
   bool made = memory != nullptr &&
     memory->RasterIO(GF_Write, 0, 0, size, size, samples.data(), size, size, GDT_Byte, 4, nullptr,
       4, static_cast<GSpacing>(4) * size, 1, nullptr) == CE_None &&
@@ -126,7 +115,7 @@ void WriteTile(const fs::path& file, int size, Samples& samples)
   // GDAL does not tell whether the last bytes found room on the disk, so the disk is not its own.
   const std::string name = "/vsimem/" + file.string();
   made = made &&
-    DatasetPointer(DriverOf("PNG")->CreateCopy(
+    DatasetPointer(FindDriver("PNG")->CreateCopy(
       name.c_str(), memory.get(), FALSE, nullptr, nullptr, nullptr)) != nullptr;
   vsi_l_offset length = 0;
   const std::unique_ptr<GByte, void (*)(void*)> bytes(

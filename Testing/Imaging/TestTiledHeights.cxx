@@ -344,6 +344,19 @@ void TestWhatIsRead()
   CHECK(pair.Supply->Samples == 0);
 }
 
+// To all others it is an array like any other.
+void TestArray()
+{
+  Pair pair;
+  pair.SetHeights(MakeHeights(200, 150, Waves), nullptr, false, 0.0);
+  vtkDataArray* expected = pair.Heights->GetPointData()->GetScalars();
+  CHECK(LargestDifference(pair.Array, expected) == 0.0);
+  CHECK(pair.Array->GetVoidPointer(0) != nullptr);
+  const float* copy = static_cast<const float*>(pair.Array->GetVoidPointer(0));
+  CHECK(copy[777] == static_cast<float>(expected->GetTuple1(777)));
+  CHECK(std::isnan(copy[7 * 200 + 5])); // the one without data
+}
+
 void TestErrors()
 {
   Pair pair;
@@ -384,6 +397,7 @@ int TestTiledHeights(int, char*[])
 {
   TestRandomPictures();
   TestWhatIsRead();
+  TestArray();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

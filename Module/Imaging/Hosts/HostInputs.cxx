@@ -212,8 +212,7 @@ std::string HostInputs::Update(vtkInformationVector** inputs,
   if (!sweeps && FindTiled(source))
   {
     return "the heights are read as they are needed, which is for vtkImageReliefShading; heights "
-           "in "
-           "memory are expected";
+           "in memory are expected";
   }
   source.scale = this->Scene->GetHeightScale();
   source.padded = sweeps && this->WantsPadding(heights.image->GetDimensions()[0]);

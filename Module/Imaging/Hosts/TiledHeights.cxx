@@ -28,20 +28,6 @@ constexpr int RegionSize = RasterBounds::RegionSize;
 constexpr double Unit[2] = { 1.0, 1.0 };
 
 //------------------------------------------------------------------------------
-HeightInputs InputsOf(const HeightSupply::Part& part, double scale)
-{
-  HeightInputs inputs;
-  inputs.image = part.heights;
-  inputs.scalars = part.heights->GetPointData()->GetScalars();
-  inputs.mask = part.mask;
-  inputs.maskScalars = part.mask ? part.mask->GetPointData()->GetScalars() : nullptr;
-  inputs.scale = scale;
-  inputs.useNoData = part.useNoData;
-  inputs.noData = part.noData;
-  return inputs;
-}
-
-//------------------------------------------------------------------------------
 /// Least and greatest height of a row in double, before any scale. `lengths` are the same row,
 /// scaled and above the datum, which for float may be none.
 template <class T>
@@ -110,6 +96,20 @@ private:
 vtkStandardNewMacro(TiledHeights);
 
 //------------------------------------------------------------------------------
+HeightInputs InputsOf(const HeightSupply::Part& part, double scale)
+{
+  HeightInputs inputs;
+  inputs.image = part.heights;
+  inputs.scalars = part.heights->GetPointData()->GetScalars();
+  inputs.mask = part.mask;
+  inputs.maskScalars = part.mask ? part.mask->GetPointData()->GetScalars() : nullptr;
+  inputs.scale = scale;
+  inputs.useNoData = part.useNoData;
+  inputs.noData = part.noData;
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
 TiledHeights::TiledHeights() = default;
 TiledHeights::~TiledHeights() = default;
 
@@ -121,6 +121,7 @@ void TiledHeights::SetSupply(std::shared_ptr<HeightSupply> supply)
   this->Sparse.reset();
   this->Prepared.reset();
   this->Regions.reset();
+  this->Copy.clear();
   this->Size = vtkIdType(this->Supply->GetColumns()) * this->Supply->GetRows();
   this->MaxId = this->Size - 1;
   this->Modified();
@@ -370,6 +371,42 @@ float TiledHeights::GetValue(vtkIdType at) const
     return value;
   }
   return value;
+}
+
+//------------------------------------------------------------------------------
+/// A copy of all heights, for whoever takes them from one piece of memory; NaN from where they
+/// cannot be read on.
+void* TiledHeights::GetVoidPointer(vtkIdType at)
+{
+  const int columns = this->Supply->GetColumns();
+  const int rows = this->Supply->GetRows();
+  if (this->Copy.empty())
+  {
+    this->Copy.assign(
+      static_cast<std::size_t>(this->Size), std::numeric_limits<float>::quiet_NaN());
+    try
+    {
+      for (int j0 = 0; j0 < rows; j0 += RegionSize)
+      {
+        const int j1 = std::min(j0 + RegionSize, rows);
+        const HeightSupply::Part part = this->Supply->Read({ 0, columns, j0, j1 });
+        WithHeightSource(InputsOf(part, 1.0), Unit,
+          [&](const auto& heights)
+          {
+            const HeightReader reader(heights);
+            for (int j = j0; j < j1; ++j)
+            {
+              reader.Read(j - j0, 0.0, this->Copy.data() + static_cast<std::size_t>(j) * columns);
+            }
+          });
+      }
+    }
+    catch (const std::exception& error)
+    {
+      vtkErrorMacro(<< error.what() << ".");
+    }
+  }
+  return this->Copy.data() + at;
 }
 
 //------------------------------------------------------------------------------

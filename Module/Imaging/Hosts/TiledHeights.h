@@ -85,8 +85,7 @@ public:
   void SetTypedComponent(vtkIdType, int, ValueType) {}
   ///@}
 
-  /// None: the heights lie nowhere.
-  void* GetVoidPointer(vtkIdType) override { return nullptr; }
+  void* GetVoidPointer(vtkIdType at) override;
 
 protected:
   TiledHeights();
@@ -122,7 +121,11 @@ private:
   std::uint64_t RegionsVersion = 0;
   vtkSmartPointer<vtkScalarsToColors> Table;
   RawArray<unsigned char> Colors;
+  std::vector<float> Copy; // for GetVoidPointer
 };
+
+/// Heights of a window with a scale, to be read.
+VTKRELIEFSHADING_EXPORT HeightInputs InputsOf(const HeightSupply::Part& part, double scale);
 
 /// The heights of inputs, if they are such; null where they are others.
 VTKRELIEFSHADING_EXPORT TiledHeights* FindTiled(const HeightInputs& inputs);
