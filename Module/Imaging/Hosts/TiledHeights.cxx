@@ -5,6 +5,7 @@
 #include "HeightHash.h"
 #include "HeightInputs.h"
 #include "HeightReader.h"
+#include "HeightRows.h"
 #include "vtkReliefThreads.h"
 
 #include "vtkObjectFactory.h"
