@@ -4,17 +4,14 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
-#include "vtkExtentTranslator.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerRequestKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkReliefAbort.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefStatistics.h"
 #include "vtkReliefThreads.h"
@@ -27,62 +24,19 @@
 #include "HeightScale.h"
 #include "HostInputs.h"
 #include "ModelVersion.h"
+#include "OutputPiece.h"
 #include "PictureArrays.h"
-#include "PictureExposure.h"
 #include "PreparedScene.h"
 #include "ReservedMemory.h"
-#include "SceneShading.h"
+#include "ShadingRun.h"
 #include "TiledHeights.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <exception>
 #include <new>
-#include <vector>
 
 vtkStandardNewMacro(vtkImageReliefShading);
-
-namespace
-{
-
-// The part of a whole extent that an output is asked for; empty if there is none.
-void FindPiece(const int whole[6], vtkInformation* outInfo, int piece[6])
-{
-  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), piece);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    piece[2 * axis] = std::max(piece[2 * axis], whole[2 * axis]);
-    piece[2 * axis + 1] = std::min(piece[2 * axis + 1], whole[2 * axis + 1]);
-  }
-}
-
-// The same before the executive has cut the piece of a number out of the extent, as it does before
-// data are made.
-void FindNumberedPiece(const int whole[6], vtkInformation* outInfo, int piece[6])
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  FindPiece(whole, outInfo, piece);
-  const int pieces = outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
-  if (pieces > 1)
-  {
-    const int mode = outInfo->Has(vtkExtentTranslator::UPDATE_SPLIT_MODE())
-      ? outInfo->Get(vtkExtentTranslator::UPDATE_SPLIT_MODE())
-      : vtkExtentTranslator::BLOCK_MODE;
-    int all[6];
-    std::copy_n(piece, 6, all);
-    vtkNew<vtkExtentTranslator> translator;
-    translator->PieceToExtentThreadSafe(outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces,
-      outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()), all, piece, mode, 0);
-  }
-}
-
-bool IsEmpty(const int extent[6])
-{
-  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
-}
-
-}
 
 class vtkImageReliefShading::Internals
 {
@@ -90,6 +44,7 @@ public:
   explicit Internals(vtkImageReliefShading* self)
     : Self(self)
     , Inputs(self)
+    , Run(self, this->Inputs, this->Scene)
   {
   }
 
@@ -97,42 +52,20 @@ public:
   std::string Prepare(vtkInformationVector** inputs);
   bool AsksForPieces(vtkInformationVector** inputs) const;
   std::string PreparePiece(vtkInformationVector** inputs, vtkInformation* outInfo);
+  std::string Convert();
   void WarnOfHeights();
   std::string MakeOutput(vtkImageData* input, int outExtent[6], vtkInformation* outInfo,
     vtkSmartPointer<vtkDataArray>& last, relief::Target& target);
-  std::unique_ptr<relief::SceneShading> Plan(const relief::Target& target);
-  relief::SceneShading* PlanTile(const relief::Target& target);
-  relief::hosts::WindowProvider GetProvider();
-  void FindExposure();
   relief::hosts::TiledHeights::Needs Estimate(const int extent[6], vtkInformationVector** inputs);
-  bool IsAborted() const;
-  bool ShadeBands(const relief::Target& target, relief::SceneShading& shading);
-  void Tell(const relief::SceneShading& shading);
 
   vtkImageReliefShading* Self;
   vtkNew<vtkReliefStatistics> Statistics;
-  bool InPieces = false;                   // what has been asked for
-  relief::hosts::PictureExposure Exposure; // of the run at hand
-  // What it was found from: parts of a picture are of one exposure, which is found once.
-  std::uint64_t ExposedScene = 0;
-  std::uint64_t ExposedField = 0;
-
-  // Of heights that are read as they are needed: all of their tiles are shaded by one object, whose
-  // counts go on from tile to tile.
-  struct TileShading
-  {
-    std::unique_ptr<relief::SceneShading> shading;
-    std::uint64_t scene = 0;
-    std::uint64_t field = 0;
-    std::vector<bool> layers;
-    std::uint64_t rays = 0;
-    std::uint64_t cells = 0;
-  } Tiles;
+  bool InPieces = false; // what has been asked for
 
   // Kept between updates.
   relief::hosts::HostInputs Inputs;
   relief::hosts::PreparedScene Scene;
-  relief::IlluminationCache Cache;
+  relief::hosts::ShadingRun Run;
 };
 
 //------------------------------------------------------------------------------
@@ -225,8 +158,7 @@ void vtkImageReliefShading::SetCacheMemoryLimit(unsigned long kibibytes)
 void vtkImageReliefShading::ReleaseCache()
 {
   this->Internal->Inputs.Release();
-  this->Internal->Tiles = Internals::TileShading();
-  this->Internal->Cache.Keep({});
+  this->Internal->Run.Release();
 }
 
 //------------------------------------------------------------------------------
@@ -352,7 +284,7 @@ int vtkImageReliefShading::RequestUpdateExtent(
     return 1;
   }
   int piece[6];
-  FindNumberedPiece(
+  relief::hosts::FindNumberedPiece(
     inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()),
     outputs->GetInformationObject(0), piece);
   internal.Inputs.AskForPiece(inputs, this->HeightRange, piece);
@@ -394,6 +326,13 @@ std::string vtkImageReliefShading::Internals::Prepare(vtkInformationVector** inp
   {
     return wrong;
   }
+  return this->Convert();
+}
+
+//------------------------------------------------------------------------------
+// The scene, once heights are prepared. Returns as Prepare() does.
+std::string vtkImageReliefShading::Internals::Convert()
+{
   this->WarnOfHeights();
   return this->Scene.Update(this->Inputs);
 }
@@ -412,7 +351,7 @@ bool vtkImageReliefShading::Internals::AsksForPieces(vtkInformationVector** inpu
     return false;
   }
   const int* whole = info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  return !IsEmpty(whole) && whole[4] == whole[5];
+  return !relief::hosts::IsEmptyExtent(whole) && whole[4] == whole[5];
 }
 
 //------------------------------------------------------------------------------
@@ -422,36 +361,14 @@ std::string vtkImageReliefShading::Internals::PreparePiece(
   vtkInformationVector** inputs, vtkInformation* outInfo)
 {
   int piece[6];
-  FindPiece(
+  relief::hosts::FindPiece(
     inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()),
     outInfo, piece);
-  const auto arrays = [&](int port) { return this->Self->GetInputArrayToProcess(port, inputs); };
-  const relief::hosts::HostInputs::Reading reading = this->GetReading();
-  std::string wrong =
-    this->Inputs.UpdatePiece(inputs, arrays, reading, this->Self->HeightRange, piece);
-  if (wrong.empty())
-  {
-    this->WarnOfHeights();
-    wrong = this->Scene.Update(this->Inputs);
-  }
-  int first[6];
-  inputs[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), first);
-  bool further = false;
-  int extent[6];
-  while (wrong.empty() && this->Inputs.MissesOfPiece(this->Scene.Get(), piece, extent))
-  {
-    if (this->IsAborted())
-    {
-      return std::string();
-    }
-    further = true;
-    wrong = this->Inputs.UpdatePieceFurther(this->Self, extent, inputs, arrays, reading);
-  }
-  if (further && wrong.empty())
-  {
-    wrong = this->Inputs.RestorePiece(this->Self, first, inputs, arrays, reading);
-  }
-  return wrong;
+  const relief::hosts::PieceReading from = { this->Self, inputs,
+    [&](int port) { return this->Self->GetInputArrayToProcess(port, inputs); }, this->GetReading(),
+    this->Self->HeightRange };
+  return relief::hosts::PreparePiece(
+    this->Inputs, this->Scene, from, piece, [this] { return this->Convert(); });
 }
 
 //------------------------------------------------------------------------------
@@ -522,17 +439,6 @@ std::string vtkImageReliefShading::Internals::MakeOutput(vtkImageData* input, in
 }
 
 //------------------------------------------------------------------------------
-// What fills heights that are read as they are needed; none where all are in memory.
-relief::hosts::WindowProvider vtkImageReliefShading::Internals::GetProvider()
-{
-  using relief::hosts::HeightSupply;
-  relief::hosts::TiledHeights* heights = this->Inputs.GetTiledHeights();
-  return !heights ? relief::hosts::WindowProvider()
-                  : [this, heights](const std::vector<HeightSupply::Window>& windows)
-  { heights->Provide(this->Scene.Get(), this->Scene.GetVersion(), windows); };
-}
-
-//------------------------------------------------------------------------------
 relief::hosts::TiledHeights::Needs vtkImageReliefShading::Internals::Estimate(
   const int extent[6], vtkInformationVector** inputs)
 {
@@ -542,154 +448,9 @@ relief::hosts::TiledHeights::Needs vtkImageReliefShading::Internals::Estimate(
     vtkErrorWithObjectMacro(this->Self, << wrong << ".");
     return {};
   }
-  relief::hosts::TiledHeights* heights = this->Inputs.GetTiledHeights();
   const int* whole = vtkImageData::GetData(inputs[0])->GetExtent();
-  return !heights ? relief::hosts::TiledHeights::Needs()
-                  : heights->Estimate(this->Scene.Get(), this->Scene.GetVersion(),
-                      { extent[0] - whole[0], extent[1] + 1 - whole[0], extent[2] - whole[2],
-                        extent[3] + 1 - whole[2] });
-}
-
-//------------------------------------------------------------------------------
-// The exposure of 8-bit output, unless it is at hand.
-void vtkImageReliefShading::Internals::FindExposure()
-{
-  const std::uint64_t version = this->Scene.GetVersion();
-  const std::uint64_t field = this->Inputs.GetField().GetVersion();
-  if (this->Self->OutputScalarType == VTK_FLOAT)
-  {
-    this->Exposure = relief::hosts::PictureExposure();
-    this->ExposedScene = 0;
-  }
-  else if (this->ExposedScene != version || this->ExposedField != field)
-  {
-    this->Exposure = relief::hosts::FindExposure(
-      this->Inputs.GetScene(), this->Inputs.GetField(), this->Scene.Get(), this->GetProvider());
-    this->ExposedScene = version;
-    this->ExposedField = field;
-  }
-  else
-  {
-    this->Exposure.rays = this->Exposure.cells = 0; // no work of this run's
-  }
-}
-
-//------------------------------------------------------------------------------
-// Provides the heights that a part of the picture depends on. What is planned holds for all tiles.
-relief::SceneShading* vtkImageReliefShading::Internals::PlanTile(const relief::Target& target)
-{
-  this->FindExposure();
-  this->GetProvider()(
-    { { target.i0, target.i0 + target.width, target.j0, target.j0 + target.rows } });
-  const std::vector<bool> layers{ target.rgba8 != nullptr, target.illumination != nullptr,
-    target.thickness != nullptr, target.shadow != nullptr, target.normals != nullptr,
-    target.base != nullptr, target.diffuse != nullptr, target.scatter != nullptr,
-    target.specular != nullptr };
-  const std::uint64_t version = this->Scene.GetVersion();
-  const std::uint64_t field = this->Inputs.GetField().GetVersion();
-  TileShading& tiles = this->Tiles;
-  if (tiles.shading && tiles.scene == version && tiles.field == field && tiles.layers == layers)
-  {
-    tiles.shading->Redirect(target);
-    tiles.rays = tiles.shading->GetRaysTraced();
-    tiles.cells = tiles.shading->GetCellsVisited();
-    return tiles.shading.get();
-  }
-  relief::Scene scene = this->Scene.Get();
-  scene.exposure = this->Exposure.stops;
-  tiles.shading =
-    std::make_unique<relief::SceneShading>(this->Inputs.GetField(), scene, target, nullptr);
-  tiles.scene = version;
-  tiles.field = field;
-  tiles.layers = layers;
-  tiles.rays = tiles.cells = 0;
-  return tiles.shading.get();
-}
-
-//------------------------------------------------------------------------------
-// Null where there is no memory for it.
-std::unique_ptr<relief::SceneShading> vtkImageReliefShading::Internals::Plan(
-  const relief::Target& target)
-{
-  this->Cache.SetLimit(static_cast<std::size_t>(this->Self->CacheMemoryLimit) * 1024);
-  try
-  {
-    this->FindExposure();
-    relief::Scene scene = this->Scene.Get();
-    scene.exposure = this->Exposure.stops;
-    return std::make_unique<relief::SceneShading>(
-      this->Inputs.GetField(), scene, target, &this->Cache);
-  }
-  catch (const std::bad_alloc&)
-  {
-    return nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkImageReliefShading::Internals::IsAborted() const
-{
-  return vtkReliefIsAborted(this->Self);
-}
-
-//------------------------------------------------------------------------------
-// Bands of tiles, one after another: between them observers hear of progress, on this thread, and
-// may abort. Returns whether none did.
-bool vtkImageReliefShading::Internals::ShadeBands(
-  const relief::Target& target, relief::SceneShading& shading)
-{
-  constexpr int width = relief::SweepThickness::TileWidth;
-  constexpr int height = relief::SweepThickness::TileHeight;
-  const int firstRow = target.j0;
-  const int endRow = target.j0 + target.rows;
-  const int firstColumn = target.i0 / width;
-  const int columns = (target.i0 + target.width + width - 1) / width - firstColumn;
-  const int rows = (endRow + height - 1) / height - firstRow / height;
-  // Threads wait for one another at a band's end, so short runs have few; and they take pieces of a
-  // row that are short beside a band, but long beside the handing out.
-  const double lights = std::max(shading.GetNumberOfLights(), 1);
-  const double work = lights * target.width * target.rows;
-  const int bands = static_cast<int>(std::clamp(work / 4.0e6, 3.0, 16.0));
-  const int band = (rows + bands - 1) / bands;
-  const double shares = 8.0 * vtkSMPTools::GetEstimatedNumberOfThreads();
-  const int piece = std::clamp(
-    static_cast<int>(std::min(64.0 / lights, columns * static_cast<double>(band) / shares)), 1,
-    columns);
-  const int pieces = (columns + piece - 1) / piece;
-  for (int begin = 0; begin < rows && !this->IsAborted(); begin += band)
-  {
-    const int end = std::min(begin + band, rows);
-    vtkReliefFor(static_cast<vtkIdType>(begin) * pieces, static_cast<vtkIdType>(end) * pieces, 1,
-      [&](vtkIdType from, vtkIdType to)
-      {
-        for (vtkIdType at = from; at < to; ++at)
-        {
-          const int row = firstRow / height + static_cast<int>(at / pieces);
-          const int column = firstColumn + static_cast<int>(at % pieces) * piece;
-          shading.Shade(std::max(target.i0, column * width),
-            std::min(target.i0 + target.width, (column + piece) * width),
-            std::max(firstRow, row * height), std::min(endRow, (row + 1) * height));
-        }
-      });
-    this->Self->UpdateProgress(static_cast<double>(end) / rows);
-  }
-  return !this->IsAborted();
-}
-
-//------------------------------------------------------------------------------
-void vtkImageReliefShading::Internals::Tell(const relief::SceneShading& shading)
-{
-  this->Statistics->SetLightsReused(shading.GetLightsReused());
-  this->Statistics->SetLightsTraced(shading.GetLightsTraced());
-  const bool tile = &shading == this->Tiles.shading.get();
-  const std::uint64_t rays =
-    shading.GetRaysTraced() - (tile ? this->Tiles.rays : 0) + this->Exposure.rays;
-  const std::uint64_t cells =
-    shading.GetCellsVisited() - (tile ? this->Tiles.cells : 0) + this->Exposure.cells;
-  this->Statistics->SetRaysTraced(static_cast<vtkTypeInt64>(rays));
-  this->Statistics->SetCellsVisited(static_cast<vtkTypeInt64>(cells));
-  this->Statistics->SetExposure(this->Exposure.stops);
-  this->Statistics->SetEffectsEvaluated(shading.GetEffects());
+  return this->Run.Estimate({ extent[0] - whole[0], extent[1] + 1 - whole[0], extent[2] - whole[2],
+    extent[3] + 1 - whole[2] });
 }
 
 //------------------------------------------------------------------------------
@@ -711,7 +472,8 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   // What is shaded, and where to. Of a piece the image is the whole, without heights; a distributed
   // input holds its piece only, whatever has been asked for.
   relief::Target target;
-  if (internal.InPieces && IsEmpty(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT())))
+  if (internal.InPieces &&
+    relief::hosts::IsEmptyExtent(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT())))
   {
     return 1;
   }
@@ -728,7 +490,7 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   {
     vtkImageData* image = internal.Inputs.GetImage(inputs);
     int piece[6];
-    FindPiece(image->GetExtent(), outInfo, piece);
+    relief::hosts::FindPiece(image->GetExtent(), outInfo, piece);
     wrong = internal.MakeOutput(image, piece, outInfo, last, target);
   }
   if (!wrong.empty())
@@ -741,29 +503,13 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   }
 
   // What can be decided once, then all samples.
-  const bool tiled = internal.Inputs.GetTiledHeights() != nullptr;
-  std::unique_ptr<relief::SceneShading> whole;
-  relief::SceneShading* shading = nullptr;
-  try
+  wrong = internal.Run.Plan(target, static_cast<std::size_t>(this->CacheMemoryLimit) * 1024);
+  if (!wrong.empty())
   {
-    whole = tiled ? nullptr : internal.Plan(target);
-    shading = tiled ? internal.PlanTile(target) : whole.get();
+    return fail(wrong);
   }
-  catch (const std::bad_alloc&)
-  {
-    throw;
-  }
-  catch (const std::exception& error) // of who reads heights
-  {
-    return fail(error.what());
-  }
-  if (!shading)
-  {
-    return fail(
-      "there is not enough memory to keep illuminations; SetCacheMemoryLimit(0) keeps none");
-  }
-  internal.Inputs.GetTextures().WarnOfTexels(shading->GetEffects(), this);
-  if (!internal.ShadeBands(target, *shading))
+  internal.Inputs.GetTextures().WarnOfTexels(internal.Run.GetEffects(), this);
+  if (!internal.Run.Shade())
   {
     output->Initialize();
     return 1;
@@ -785,11 +531,7 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
         }
       });
   }
-  if (whole)
-  {
-    whole->KeepIlluminations();
-  }
-  internal.Tell(*shading);
+  internal.Run.Finish(internal.Statistics);
   return 1;
 }
 
