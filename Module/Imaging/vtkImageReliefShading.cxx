@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkReliefScene.h"
+#include "vtkReliefSetters.h"
 #include "vtkReliefStatistics.h"
 #include "vtkReliefThreads.h"
 #include "vtkScalarsToColors.h"
@@ -34,6 +35,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <new>
 
 vtkStandardNewMacro(vtkImageReliefShading);
@@ -49,6 +51,7 @@ public:
   }
 
   relief::hosts::HostInputs::Reading GetReading() const;
+  relief::hosts::TiledHeights::Limit GetLimit() const;
   std::string Prepare(vtkInformationVector** inputs);
   bool AsksForPieces(vtkInformationVector** inputs) const;
   std::string PreparePiece(vtkInformationVector** inputs, vtkInformation* outInfo);
@@ -152,6 +155,21 @@ void vtkImageReliefShading::SetCacheMemoryLimit(unsigned long kibibytes)
 {
   // What is kept changes no result, so this does not ask for an update.
   this->CacheMemoryLimit = kibibytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkImageReliefShading::SetHeightMemoryLimit(double kibibytes)
+{
+  relief::SetNumber(this, this->HeightMemoryLimit, kibibytes, kibibytes >= 0.0,
+    "a number that is not negative", "HeightMemoryLimit");
+}
+
+//------------------------------------------------------------------------------
+void vtkImageReliefShading::SetBeyondMemory(int mode)
+{
+  relief::SetNumber(this, this->BeyondMemory, mode,
+    mode == BeyondMemoryRefuse || mode == BeyondMemoryBounds,
+    "BeyondMemoryRefuse (0) or BeyondMemoryBounds (1)", "BeyondMemory");
 }
 
 //------------------------------------------------------------------------------
@@ -315,6 +333,15 @@ relief::hosts::HostInputs::Reading vtkImageReliefShading::Internals::GetReading(
 }
 
 //------------------------------------------------------------------------------
+relief::hosts::TiledHeights::Limit vtkImageReliefShading::Internals::GetLimit() const
+{
+  const double most = std::numeric_limits<double>::infinity();
+  return { this->Self->HeightMemoryLimit < VTK_DOUBLE_MAX ? 1024.0 * this->Self->HeightMemoryLimit
+                                                          : most,
+    this->Self->BeyondMemory == BeyondMemoryBounds };
+}
+
+//------------------------------------------------------------------------------
 // Heights, textures and scene, as far as they have changed. Returns an empty text, or what is
 // wrong.
 std::string vtkImageReliefShading::Internals::Prepare(vtkInformationVector** inputs)
@@ -449,6 +476,7 @@ relief::hosts::TiledHeights::Needs vtkImageReliefShading::Internals::Estimate(
     return {};
   }
   const int* whole = vtkImageData::GetData(inputs[0])->GetExtent();
+  this->Run.SetLimit(this->GetLimit());
   return this->Run.Estimate({ extent[0] - whole[0], extent[1] + 1 - whole[0], extent[2] - whole[2],
     extent[3] + 1 - whole[2] });
 }
@@ -503,6 +531,7 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
   }
 
   // What can be decided once, then all samples.
+  internal.Run.SetLimit(internal.GetLimit());
   wrong = internal.Run.Plan(target, static_cast<std::size_t>(this->CacheMemoryLimit) * 1024);
   if (!wrong.empty())
   {
@@ -531,8 +560,8 @@ int vtkImageReliefShading::Shade(vtkInformationVector** inputs, vtkInformationVe
         }
       });
   }
-  internal.Run.Finish(internal.Statistics);
-  return 1;
+  wrong = internal.Run.Finish(internal.Statistics);
+  return wrong.empty() ? 1 : fail(wrong);
 }
 
 //------------------------------------------------------------------------------
@@ -556,6 +585,10 @@ void vtkImageReliefShading::PrintSelf(ostream& os, vtkIndent indent)
   printSwitch("GenerateScatter", this->GenerateScatter);
   printSwitch("GenerateSpecular", this->GenerateSpecular);
   os << indent << "CacheMemoryLimit: " << this->CacheMemoryLimit << "\n";
+  os << indent << "HeightMemoryLimit: " << this->HeightMemoryLimit << "\n";
+  os << indent
+     << "BeyondMemory: " << (this->BeyondMemory == BeyondMemoryRefuse ? "Refuse" : "Bounds")
+     << "\n";
   os << indent << "Statistics:\n";
   this->Internal->Statistics->PrintSelf(os, indent.GetNextIndent());
 }

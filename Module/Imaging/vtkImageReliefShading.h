@@ -240,6 +240,43 @@ public:
   vtkGetMacro(CacheMemoryLimit, unsigned long);
   ///@}
 
+  ///@{
+  /**
+   * The most memory, in kibibytes, that heights may take which an extent of the output depends on,
+   * where they are read as they are needed (vtkReliefRasterReader::ReadAsNeededOn()); of heights in
+   * memory nothing is limited. EstimateMemory() tells what they take. At least 0. Default:
+   * VTK_DOUBLE_MAX, no limit.
+   */
+  void SetHeightMemoryLimit(double kibibytes);
+  vtkGetMacro(HeightMemoryLimit, double);
+  ///@}
+
+  enum BeyondMemoryModes
+  {
+    BeyondMemoryRefuse,
+    BeyondMemoryBounds
+  };
+
+  ///@{
+  /**
+   * What is done with an extent that depends on heights that would take more than
+   * HeightMemoryLimit, as it may with a low sun: smaller extents may take less. Refuse: an error.
+   * Bounds: the regions farthest from the extent, 64 x 64 samples each, are left out, as few as the
+   * limit demands, never those at holes and borders. Illuminations are found twice where they
+   * depend on these, with the least and with the greatest height of each; the middle is taken, and
+   * half of the difference is the error. No ray is cut short there, so that all of the scene's
+   * Tolerance is left for it; where it is more, at any sample and of any light, that is an error,
+   * which says by how much. The layers Thickness and Shadow, and FixedStep, know no tolerance:
+   * there both must be the same. The statistics tell what was taken of the tolerance, and how many
+   * regions were left out. Where none were, the output is bit for bit that of all heights. Default:
+   * Refuse.
+   */
+  void SetBeyondMemory(int mode);
+  vtkGetMacro(BeyondMemory, int);
+  void SetBeyondMemoryToRefuse() { this->SetBeyondMemory(BeyondMemoryRefuse); }
+  void SetBeyondMemoryToBounds() { this->SetBeyondMemory(BeyondMemoryBounds); }
+  ///@}
+
   /**
    * Frees what is kept between updates: illuminations, the prepared heights, 8 bytes a sample, the
    * LookupTable's colours, and the environment's map, 12 bytes a texel, with its lights.
@@ -269,7 +306,8 @@ public:
   /**
    * What an update of an extent of the output would take, where the heights are read as they are
    * needed (vtkReliefRasterReader::ReadAsNeededOn()): about how much memory, in kibibytes, for the
-   * heights that it depends on, the output itself not included; and how much work, in numbers that
+   * heights that it depends on, the output itself not included; more than HeightMemoryLimit where
+   * it would fail, even with BeyondMemory at Bounds. And how much work, in numbers that
    * mean something beside one another only. The input is updated. 0 for heights in memory, and,
    * with an error, where nothing can be shaded.
    */
@@ -309,6 +347,8 @@ protected:
   bool GenerateScatter = false;
   bool GenerateSpecular = false;
   unsigned long CacheMemoryLimit = 262144;
+  double HeightMemoryLimit = VTK_DOUBLE_MAX;
+  int BeyondMemory = BeyondMemoryRefuse;
 
 private:
   // They look at what is shaded, as the model takes it.

@@ -33,4 +33,6 @@ void vtkReliefStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightsReused: " << this->LightsReused << "\n";
   os << indent << "EffectsEvaluated: " << this->GetEffectNames() << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "RegionsLeftOut: " << this->RegionsLeftOut << "\n";
+  os << indent << "ToleranceTaken: " << this->ToleranceTaken << "\n";
 }

@@ -81,6 +81,20 @@ public:
   vtkGetMacro(Exposure, double);
   ///@}
 
+  ///@{
+  /**
+   * Of how many regions, squares of 64 x 64 samples, rays may have met of which the least and the
+   * greatest height stood in for the heights, since there was no memory for them; and what that
+   * took of the scene's tolerance, at the sample and light where it was most. Infinite where what
+   * has no tolerance depended on them: a layer, or fixed steps. See
+   * vtkImageReliefShading::SetBeyondMemory().
+   */
+  vtkSetMacro(RegionsLeftOut, vtkTypeInt64);
+  vtkGetMacro(RegionsLeftOut, vtkTypeInt64);
+  vtkSetMacro(ToleranceTaken, double);
+  vtkGetMacro(ToleranceTaken, double);
+  ///@}
+
   /**
    * The names of the effects that were evaluated, separated by single spaces.
    */
@@ -96,6 +110,8 @@ protected:
   vtkTypeInt64 LightsReused = 0;
   int EffectsEvaluated = 0;
   double Exposure = 0.0;
+  vtkTypeInt64 RegionsLeftOut = 0;
+  double ToleranceTaken = 0.0;
 
 private:
   vtkReliefStatistics(const vtkReliefStatistics&) = delete;

@@ -38,8 +38,8 @@ public:
   /// In stops, once all tiles are measured; 0 where nothing is to be seen.
   double GetStops() const;
 
-  /// What has been traced for it.
-  const SceneShading& GetShading() const { return this->Shading; }
+  /// What traces for it, and what has been traced.
+  SceneShading& GetShading() { return this->Shading; }
 
   /// How many samples are looked at, at most, and a tile.
   static constexpr int MostSamples = 1 << 18;

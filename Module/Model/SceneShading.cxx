@@ -100,6 +100,18 @@ void SceneShading::Redirect(const Target& target)
   this->Writer = std::make_unique<PictureWriter>(target, this->Parts);
 }
 
+void SceneShading::SetOutline(const HeightOutline* outline)
+{
+  this->Outline = outline;
+  this->Error = OutlineError();
+}
+
+void SceneShading::AddError(const OutlineError& error)
+{
+  const std::lock_guard<std::mutex> lock(this->ErrorMutex);
+  this->Error.Add(error);
+}
+
 PictureParts SceneShading::MakeParts(const EffectPlan& effects) const
 {
   const Scene& scene = this->Parameters;
@@ -274,6 +286,7 @@ void SceneShading::ShadeTile(SceneTile& tile)
   {
     return;
   }
+  tile.outlined = this->Outline && !this->Outline->IsWhole(tile.i0, tile.j0);
   std::fill_n(tile.thickness.values, this->Out.thickness ? SceneTile::Size : 0, 0.0f);
   std::fill_n(tile.illumination.values, this->Out.illumination ? SceneTile::Size : 0, 0.0);
   if (this->HasNormals)
@@ -292,7 +305,17 @@ void SceneShading::ShadeTile(SceneTile& tile)
   if (this->Shadow)
   {
     RayCount work;
-    this->Shadow->ShadeTile(tile.column, tile.row, tile.shadow.values, work);
+    if (!tile.outlined)
+    {
+      this->Shadow->ShadeTile(tile.column, tile.row, tile.shadow.values, work);
+    }
+    else if (!this->Shadow->ShadeTile(
+               *this->Outline, tile.column, tile.row, tile.shadow.values, work))
+    {
+      OutlineError error;
+      error.shadow = true;
+      this->AddError(error);
+    }
     this->ShadowRays += work.rays;
     this->Cells += work.cells;
   }
@@ -344,7 +367,11 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, SceneTile& ti
     return;
   }
   RayCount work;
-  if (plan.sweep)
+  if (tile.outlined)
+  {
+    this->IlluminateByOutline(plan, tile, work);
+  }
+  else if (plan.sweep)
   {
     plan.sweep->IlluminateTile(
       tile.column, tile.row, tile.d.values, plan.thickness ? tile.r.values : nullptr, work);
@@ -354,19 +381,11 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, SceneTile& ti
     RowRequest<float> rows[SweepThickness::TileHeight];
     for (int j = tile.j0; j < tile.j1; ++j)
     {
-      const int at = tile.At(tile.i0, j);
-      RowRequest<float>& request = rows[j - tile.j0];
-      request.j = j;
-      request.begin = tile.i0;
-      request.end = tile.i1;
-      request.normals =
-        this->Medium.offset == f32::RELIEF_SURFACE_NORMAL ? tile.normals + at : nullptr;
-      request.wanted = tile.wanted + at;
-      request.illumination = tile.d.values + at;
-      request.thickness = plan.thickness ? tile.r.values + at : nullptr;
+      rows[j - tile.j0] = this->RowOf(plan, j, tile);
       if (this->Parameters.integrator == Integrator::FixedStep)
       {
-        StepRow(this->Heights, this->Medium, plan.light, this->Parameters.steps, request, work);
+        StepRow(
+          this->Heights, this->Medium, plan.light, this->Parameters.steps, rows[j - tile.j0], work);
       }
     }
     if (this->Parameters.integrator != Integrator::FixedStep)
@@ -391,11 +410,69 @@ void SceneShading::Illuminate(const Plan& plan, std::size_t index, SceneTile& ti
   }
 }
 
+// What of a row of a tile a light is traced for.
+RowRequest<float> SceneShading::RowOf(const Plan& plan, int j, SceneTile& tile) const
+{
+  const int at = tile.At(tile.i0, j);
+  RowRequest<float> request;
+  request.j = j;
+  request.begin = tile.i0;
+  request.end = tile.i1;
+  request.normals = this->Medium.offset == f32::RELIEF_SURFACE_NORMAL ? tile.normals + at : nullptr;
+  request.wanted = tile.wanted + at;
+  request.illumination = tile.d.values + at;
+  request.thickness = plan.thickness ? tile.r.values + at : nullptr;
+  return request;
+}
+
+// The middle between the bounds of d is nowhere further from it than half of what lies between.
+void SceneShading::IlluminateByOutline(const Plan& plan, SceneTile& tile, RayCount& work)
+{
+  static_assert(SceneTile::Width <= HeightOutline::MostSamples);
+  HeightOutline::Row row;
+  OutlineError error;
+  for (int j = tile.j0; j < tile.j1; ++j)
+  {
+    const RowRequest<float> request = this->RowOf(plan, j, tile);
+    if (this->Parameters.integrator == Integrator::FixedStep)
+    {
+      this->Outline->StepRow(this->Medium, plan.light, this->Parameters.steps, request, row, work);
+    }
+    else
+    {
+      this->Outline->TraceRow(plan.medium, plan.light, request, row, work);
+    }
+    const int first = tile.At(tile.i0, j);
+    for (int k = 0; k < tile.i1 - tile.i0; ++k)
+    {
+      if (!tile.HasData(first + k) || !request.wanted[k])
+      {
+        continue;
+      }
+      const double off = (row.greatestD[k] - row.leastD[k]) / 2.0;
+      request.illumination[k] = static_cast<float>(row.leastD[k] + off);
+      error.tolerance = std::max(error.tolerance, std::abs(off) / plan.light.toleranceScale);
+      if (request.thickness)
+      {
+        request.thickness[k] = static_cast<float>(row.leastR[k]);
+        error.thickness = error.thickness || row.leastR[k] != row.greatestR[k];
+      }
+    }
+  }
+  this->AddError(error);
+}
+
+// Whether an integrator takes all samples of a tile, whichever are wanted.
+bool SceneShading::TakesAll(const Plan& plan, const SceneTile& tile)
+{
+  return plan.kept || (plan.sweep && !tile.outlined);
+}
+
 // Tells integrators that take samples one by one which are wanted. Returns whether any is.
 bool SceneShading::FindWanted(const Plan& plan, bool hasScatter, SceneTile& tile) const
 {
   const bool everyD = this->NeedsEveryD(plan) || !hasScatter;
-  if (everyD && (plan.sweep || plan.kept))
+  if (everyD && TakesAll(plan, tile))
   {
     return true;
   }
@@ -424,7 +501,7 @@ void SceneShading::AddLight(const Plan& plan, std::size_t index, SceneTile& tile
     }
   }
   const bool traces = plan.trace && this->FindWanted(plan, hasScatter, tile);
-  if (!traces || !(plan.sweep || plan.kept))
+  if (!traces || !TakesAll(plan, tile))
   {
     std::fill_n(tile.d.values, SceneTile::Size, 0.0f);
     std::fill_n(tile.r.values, SceneTile::Size, std::numeric_limits<float>::infinity());

@@ -4,6 +4,7 @@
 
 #include "EffectPlan.h"
 #include "HeightField.h"
+#include "HeightOutline.h"
 #include "IlluminationCache.h"
 #include "PictureWriter.h"
 #include "SceneLanes.h"
@@ -12,6 +13,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace relief
@@ -38,6 +40,13 @@ public:
   /// Takes another target with the same layers, as tile after tile of a picture wants. Nothing that
   /// was decided depends on where the target lies; a cache's keys do, so there must be none.
   void Redirect(const Target& target);
+
+  /// Shades what comes by an outline, where a tile depends on heights that are left out. Null, as
+  /// at first: none are. There must be no cache. What it may be wrong by begins anew.
+  void SetOutline(const HeightOutline* outline);
+
+  /// By how much what has been shaded since then may be wrong beside the tolerance.
+  const OutlineError& GetOutlineError() const { return this->Error; }
 
   /// Shades the samples [i0, i1) x [j0, j1) of the field. Parts that begin and end at multiples of
   /// the tile of SweepThickness cost least: tiles are computed whole.
@@ -79,6 +88,10 @@ private:
   void MakeRoom();
   void ShadeTile(SceneTile& tile);
   void Illuminate(const Plan& plan, std::size_t index, SceneTile& tile);
+  RowRequest<float> RowOf(const Plan& plan, int j, SceneTile& tile) const;
+  void IlluminateByOutline(const Plan& plan, SceneTile& tile, RayCount& work);
+  void AddError(const OutlineError& error);
+  static bool TakesAll(const Plan& plan, const SceneTile& tile);
   LightTerms TermsOf(const Plan& plan) const;
   PictureParts MakeParts(const EffectPlan& effects) const;
   void AddLight(const Plan& plan, std::size_t index, SceneTile& tile);
@@ -97,6 +110,9 @@ private:
   f32::ReliefFalloff ScatterFalloff;
   std::vector<Plan> Plans;
   std::unique_ptr<SunShadow> Shadow;
+  const HeightOutline* Outline = nullptr;
+  OutlineError Error;
+  std::mutex ErrorMutex;
   std::unique_ptr<std::atomic<std::uint64_t>[]> Rays; // per light
   std::atomic<std::uint64_t> ShadowRays{ 0 };
   std::atomic<std::uint64_t> Cells{ 0 };

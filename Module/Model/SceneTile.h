@@ -22,6 +22,7 @@ struct SceneTile
   int i0, i1, j0, j1;                     ///< in the image
   int askedI0, askedI1, askedJ0, askedJ1; ///< asked for
   bool anyData;
+  bool outlined; ///< some heights that it depends on are known by their bounds only
 
   static constexpr int Width = SweepThickness::TileWidth;
   static constexpr int Size = SweepThickness::TileSize;

@@ -13,11 +13,11 @@ void StepRow(const Field<float>& field, const f32::ReliefMedium& medium, const L
     [&](int k, const f32::ReliefRay& ray, const glm::vec3&, const glm::vec3&)
     {
       int n = f32::reliefStepCount(field, ray, steps);
-      request.illumination[k] = 1.0f / (1.0f + static_cast<float>(n));
+      request.illumination[k] = StepIllumination(n);
       count.cells += static_cast<std::uint64_t>(steps) + 1;
       if (request.thickness)
       {
-        request.thickness[k] = ray.end * (static_cast<float>(n) / static_cast<float>(steps));
+        request.thickness[k] = StepLength(ray, n, steps);
       }
     });
 }

@@ -13,6 +13,19 @@ namespace relief
 void StepRow(const Field<float>& field, const f32::ReliefMedium& medium, const Light& light,
   int steps, const RowRequest<float>& request, RayCount& count);
 
+///@{
+/// What n points of a ray below the surface make of d and of r.
+inline float StepIllumination(int n)
+{
+  return 1.0f / (1.0f + static_cast<float>(n));
+}
+
+inline float StepLength(const f32::ReliefRay& ray, int n, int steps)
+{
+  return ray.end * (static_cast<float>(n) / static_cast<float>(steps));
+}
+///@}
+
 /// A directional light put on the sphere about the field's bounding box, from bottom to top, which
 /// gives the algorithm the positional light that it needs.
 Light OnBoundingSphere(

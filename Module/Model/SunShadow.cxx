@@ -4,6 +4,7 @@
 #include "PacketThickness.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace relief
 {
@@ -13,6 +14,13 @@ namespace
 // The limit that tells hidden samples; any attenuation has it.
 constexpr f64::ReliefMedium Opaque = { 0.0, f64::RELIEF_VERTICAL, f64::RELIEF_RECIPROCAL, 1.0,
   false, 0.0, 0.0 };
+
+// Rounding of the shares must not show where all or none of the disc is hidden.
+void RoundShares(const double sums[SweepThickness::TileSize], float* hidden)
+{
+  std::transform(sums, sums + SweepThickness::TileSize, hidden,
+    [](double sum) { return static_cast<float>(std::min(sum, 1.0)); });
+}
 }
 
 SunShadow::SunShadow(const HeightField& field, const std::vector<Light>& disc, std::size_t taken)
@@ -38,6 +46,16 @@ SunShadow::SunShadow(const HeightField& field, const std::vector<Light>& disc, s
   }
 }
 
+// The samples of a tile in a row.
+RowRequest<float> SunShadow::RowOf(int column, int j) const
+{
+  RowRequest<float> request;
+  request.j = j;
+  request.begin = column * SweepThickness::TileWidth;
+  request.end = std::min(request.begin + SweepThickness::TileWidth, this->Heights.heights.columns);
+  return request;
+}
+
 void SunShadow::Illuminate(
   const Direction& direction, int column, int row, float* d, RayCount& count) const
 {
@@ -52,11 +70,8 @@ void SunShadow::Illuminate(
   int rows = 0;
   for (; rows < height && row * height + rows < this->Heights.heights.rows; ++rows)
   {
-    RowRequest<float>& request = requests[rows];
-    request.j = row * height + rows;
-    request.begin = column * width;
-    request.end = std::min(request.begin + width, this->Heights.heights.columns);
-    request.illumination = d + rows * width;
+    requests[rows] = this->RowOf(column, row * height + rows);
+    requests[rows].illumination = d + rows * width;
   }
   TracePacketTile(this->Heights, this->Medium, direction.light, requests, rows, count);
 }
@@ -76,9 +91,38 @@ void SunShadow::ShadeTile(int column, int row, float* hidden, RayCount& count) c
       sums[at] += direction.up && d[at] > 0.0f ? 0.0 : direction.share;
     }
   }
-  // Rounding of the shares must not show where all or none of the disc is hidden.
-  std::transform(sums, sums + SweepThickness::TileSize, hidden,
-    [](double sum) { return static_cast<float>(std::min(sum, 1.0)); });
+  RoundShares(sums, hidden);
+}
+
+bool SunShadow::ShadeTile(
+  const HeightOutline& outline, int column, int row, float* hidden, RayCount& count) const
+{
+  constexpr int width = SweepThickness::TileWidth;
+  double least[SweepThickness::TileSize] = {};
+  double greatest[SweepThickness::TileSize] = {};
+  HeightOutline::Row bounds = {};
+  const int end = std::min((row + 1) * SweepThickness::TileHeight, this->Heights.heights.rows);
+  for (const Direction& direction : this->Directions)
+  {
+    for (int j = row * SweepThickness::TileHeight; j < end; ++j)
+    {
+      const RowRequest<float> request = this->RowOf(column, j);
+      if (direction.up)
+      {
+        outline.TraceRow(Opaque, direction.light, request, bounds, count);
+      }
+      const int first = (j - row * SweepThickness::TileHeight) * width;
+      for (int k = 0; k < request.end - request.begin; ++k)
+      {
+        const bool traced =
+          direction.up && !std::isnan(this->Heights.heights.At(request.begin + k, j));
+        least[first + k] += traced && bounds.greatestD[k] > 0.0 ? 0.0 : direction.share;
+        greatest[first + k] += traced && bounds.leastD[k] > 0.0 ? 0.0 : direction.share;
+      }
+    }
+  }
+  RoundShares(greatest, hidden);
+  return std::equal(least, least + SweepThickness::TileSize, greatest);
 }
 
 }

@@ -3,6 +3,7 @@
 #define SunShadow_h
 
 #include "HeightField.h"
+#include "HeightOutline.h"
 #include "RayThickness.h"
 #include "SweepThickness.h"
 
@@ -29,6 +30,11 @@ public:
   /// SweepThickness, row by row; samples outside the image or without data get any number.
   void ShadeTile(int column, int row, float* hidden, RayCount& count) const;
 
+  /// The same where some heights are known by their bounds only. Returns whether the shadow is
+  /// known all the same.
+  bool ShadeTile(
+    const HeightOutline& outline, int column, int row, float* hidden, RayCount& count) const;
+
 private:
   struct Direction
   {
@@ -39,6 +45,7 @@ private:
   };
 
   void Illuminate(const Direction& direction, int column, int row, float* d, RayCount& count) const;
+  RowRequest<float> RowOf(int column, int j) const;
 
   Field<float> Heights;
   f32::ReliefMedium Medium;

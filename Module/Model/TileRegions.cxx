@@ -169,6 +169,37 @@ void TileRegions::AddHoles(const Rectangle& r, Found& found) const
       {
         // With the samples that close its cells.
         found.read.Add(i - 1, i + 1, j - 1, j + 1);
+        found.needed.Add(i - 1, i + 1, j - 1, j + 1);
+      }
+    }
+  }
+}
+
+// Of the regions to read, those where rays may leave the data, with the samples that close their
+// cells, are needed.
+void TileRegions::AddEdges(Found& found) const
+{
+  const int last[2] = { this->Bounds.GetColumns() - 3, this->Bounds.GetRows() - 3 };
+  auto need = [&](int i, int j)
+  {
+    if (i >= 0 && j >= 0 && i < found.read.GetColumns() && j < found.read.GetRows() &&
+      found.read.Has(i, j))
+    {
+      found.needed.Add(i, i, j, j);
+    }
+  };
+  for (const RegionSet::Interval& run : found.read.GetIntervals())
+  {
+    const int j = run.row;
+    for (int i = run.begin; i < run.end; ++i)
+    {
+      if (i == 0 || j == 0 || (i + 1) * RegionSize > last[0] || (j + 1) * RegionSize > last[1])
+      {
+        need(i, j);
+      }
+      for (int k = 0; k < 9 && this->Bounds.HasHoles(i, j); ++k)
+      {
+        need(i + k % 3 - 1, j + k / 3 - 1);
       }
     }
   }
@@ -209,6 +240,7 @@ void TileRegions::GoBeyond(const Search& search, const Way& way, double from) co
   {
     const Rectangle part = At(search, -u, -std::min(u + way.step, way.back));
     search.found.read.Add(this->LookedAt(part, way.more));
+    search.found.needed.Add(this->LookedAt(part, way.more));
     if (!this->IsInImage(part))
     {
       break;
@@ -318,6 +350,7 @@ void TileRegions::GoRound(const Search& search, Rectangle box) const
     return Rectangle{ r.x0 - by, r.x1 + by, r.y0 - by, r.y1 + by };
   };
   search.found.read.Add(this->LookedAt(widen(box, back), 0.0));
+  search.found.needed.Add(this->LookedAt(widen(box, back), 0.0));
   // Rings about it, until rays need not come through one without meeting data.
   const double last = std::max(this->Bounds.GetColumns(), this->Bounds.GetRows()) + Near;
   for (double by = 0.0; by < last; by += 4.0 * Step)
@@ -408,6 +441,7 @@ TileRegions::Found TileRegions::Find(int i0, int i1, int j0, int j1) const
   Found found;
   found.read = RegionSet(this->Bounds.GetRegionColumns(), this->Bounds.GetRegionRows());
   found.level = found.read;
+  found.needed = found.read;
   // Tiles of samples are computed whole, with their neighbors.
   constexpr int size = SweepThickness::TileWidth;
   i0 = std::max(i0 / size * size, 0);
@@ -419,6 +453,7 @@ TileRegions::Found TileRegions::Find(int i0, int i1, int j0, int j1) const
     return found;
   }
   found.read.Add(this->LookedAt({ i0 - 2.0, i1 + 1.0, j0 - 2.0, j1 + 1.0 }, 0.0));
+  found.needed = found.read;
   for (const Path& path : this->Paths)
   {
     const double aside = std::max(path.asideX, path.asideY);
@@ -450,6 +485,7 @@ TileRegions::Found TileRegions::Find(int i0, int i1, int j0, int j1) const
       found.level.Remove(i, run.row);
     }
   }
+  this->AddEdges(found);
   return found;
 }
 

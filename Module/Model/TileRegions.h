@@ -30,6 +30,10 @@ public:
   {
     RegionSet read;
     RegionSet level; ///< over which all rays are above the greatest height
+    /// Of those to read, those without which d has no bounds (HeightOutline): where rays start, at
+    /// holes and borders that rays may meet, and what lies behind the start for how the ground goes
+    /// on there.
+    RegionSet needed;
   };
 
   /// For a scene over a field of SparseHeights, which must outlive this object.
@@ -92,6 +96,7 @@ private:
   bool IsInImage(const Rectangle& samples) const;
   double HighestIn(const RegionSet::Block& regions) const;
   void AddHoles(const Rectangle& samples, Found& found) const;
+  void AddEdges(Found& found) const;
   RegionSet::Block LookedAt(const Rectangle& samples, double more) const;
   static Rectangle At(const Search& search, double from, double to);
 

@@ -6,9 +6,12 @@
 #include "HeightHash.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -17,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -33,6 +37,7 @@ namespace
 using raster::GdalErrors;
 
 constexpr const char* HashItem = "RELIEF_HASH";
+constexpr const char* NoteItem = "RELIEF_NOTE";
 
 //------------------------------------------------------------------------------
 std::string NameOf(const int extent[6])
@@ -163,8 +168,34 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Of an array's numbers, of what they are, and of where in the image.
-std::uint64_t HashOf(vtkDataArray* array, const int extent[6])
+/// The bits of an image's note as a text; empty if it has none.
+std::string NoteOf(vtkImageData* piece)
+{
+  vtkDataArray* note = piece->GetFieldData()->GetArray(TileStore::Note);
+  if (!note)
+  {
+    return std::string();
+  }
+  const double value = note->GetTuple1(0);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return HashText(bits);
+}
+
+void AddNote(const std::string& text, vtkImageData* piece)
+{
+  const std::uint64_t bits = std::strtoull(text.c_str(), nullptr, 16);
+  double value = 0.0;
+  std::memcpy(&value, &bits, sizeof value);
+  vtkNew<vtkDoubleArray> note;
+  note->SetName(TileStore::Note);
+  note->InsertNextValue(value);
+  piece->GetFieldData()->AddArray(note);
+}
+
+//------------------------------------------------------------------------------
+/// Of an array's numbers, of what they are, of where in the image, and of its note.
+std::uint64_t HashOf(vtkDataArray* array, const int extent[6], const std::string& note)
 {
   std::uint64_t hash = MixHash(static_cast<std::uint64_t>(array->GetDataType()),
     static_cast<std::uint64_t>(array->GetNumberOfComponents()));
@@ -184,7 +215,8 @@ std::uint64_t HashOf(vtkDataArray* array, const int extent[6])
   }
   word = 0;
   std::memcpy(&word, bytes + at, size - at);
-  return MixHash(MixHash(hash, word), size);
+  hash = MixHash(MixHash(hash, word), size);
+  return note.empty() ? hash : MixHash(hash, std::strtoull(note.c_str(), nullptr, 16));
 }
 
 //------------------------------------------------------------------------------
@@ -229,12 +261,17 @@ void ReadRows(GDALDataset* dataset, int first, int rows, void* values, const std
 }
 
 //------------------------------------------------------------------------------
-void WriteArray(const std::string& file, vtkDataArray* array, const int extent[6])
+void WriteArray(
+  const std::string& file, vtkDataArray* array, const int extent[6], const std::string& note)
 {
   const std::array<int, 2> size = SizeOf(extent);
   const int components = array->GetNumberOfComponents();
   raster::GeoReference reference;
-  reference.Metadata[HashItem] = HashText(HashOf(array, extent));
+  reference.Metadata[HashItem] = HashText(HashOf(array, extent, note));
+  if (!note.empty())
+  {
+    reference.Metadata[NoteItem] = note;
+  }
   raster::GeoTiffForm form;
   form.Compression = raster::GeoTiffForm::None;
   if (array->GetDataType() == VTK_FLOAT)
@@ -263,7 +300,8 @@ void WriteArray(const std::string& file, vtkDataArray* array, const int extent[6
 
 //------------------------------------------------------------------------------
 /// Throws a Failure where anything is not as it was written.
-vtkSmartPointer<vtkDataArray> ReadArray(const std::string& file, const int extent[6])
+vtkSmartPointer<vtkDataArray> ReadArray(
+  const std::string& file, const int extent[6], std::string& note)
 {
   const GdalErrors errors;
   const raster::DatasetPointer dataset = OpenArray(file);
@@ -301,7 +339,9 @@ vtkSmartPointer<vtkDataArray> ReadArray(const std::string& file, const int exten
   array->SetNumberOfTuples(static_cast<vtkIdType>(size[0]) * size[1]);
   ReadRows(dataset.get(), 0, size[1], array->GetVoidPointer(0), file);
   const char* hash = dataset->GetMetadataItem(HashItem);
-  if (!hash || hash != HashText(HashOf(array, extent)))
+  const char* noted = dataset->GetMetadataItem(NoteItem);
+  note = noted ? noted : "";
+  if (!hash || hash != HashText(HashOf(array, extent, note)))
   {
     throw wrong("its samples are not those that were written");
   }
@@ -366,7 +406,8 @@ void TileStore::Save(vtkImageData* piece) const
           "cannot be written: an array of it has numbers of neither float nor unsigned char");
       }
       const char* arrayName = array->GetName();
-      WriteArray((unfinished.Path() / FileOf(arrayName ? arrayName : "")).string(), array, extent);
+      WriteArray((unfinished.Path() / FileOf(arrayName ? arrayName : "")).string(), array, extent,
+        NoteOf(piece));
     }
     unfinished.Keep();
   }
@@ -385,10 +426,11 @@ vtkSmartPointer<vtkImageData> TileStore::Load(
   piece->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   try
   {
+    std::string note;
     for (const std::string& arrayName : arrays)
     {
       const vtkSmartPointer<vtkDataArray> array =
-        ReadArray((this->Folder.Path() / name / FileOf(arrayName)).string(), extent);
+        ReadArray((this->Folder.Path() / name / FileOf(arrayName)).string(), extent, note);
       array->SetName(arrayName.empty() ? nullptr : arrayName.c_str());
       if (piece->GetPointData()->GetNumberOfArrays() == 0)
       {
@@ -398,6 +440,10 @@ vtkSmartPointer<vtkImageData> TileStore::Load(
       {
         piece->GetPointData()->AddArray(array);
       }
+    }
+    if (!note.empty())
+    {
+      AddNote(note, piece);
     }
   }
   catch (const io::Failure& failure)

@@ -42,14 +42,17 @@ public:
   /// Whether a piece of this extent is there, whole. Load() looks what is in it.
   bool Has(const int extent[6]) const;
 
+  /// The name of an array of an image's field data, of one number, that is kept with a piece.
+  static constexpr const char* Note = "ReliefNote";
+
   /// Writes all point data of an image of one slice: numbers of unsigned char and float, of any
-  /// number of components. A piece of that extent that is there gives way to it. Throws a Failure;
-  /// nothing is left then.
+  /// number of components; and its note, if it has one. A piece of that extent that is there gives
+  /// way to it. Throws a Failure; nothing is left then.
   void Save(vtkImageData* piece) const;
 
-  /// Reads these arrays of a piece, bit for bit as they were saved; the first becomes the active
-  /// scalars. Origin and spacing are not kept. Throws TileDamaged where one of them is not there or
-  /// is not as it was saved; the whole piece is removed then.
+  /// Reads these arrays of a piece, bit for bit as they were saved, and its note; the first becomes
+  /// the active scalars. Origin and spacing are not kept. Throws TileDamaged where one of them is
+  /// not there or is not as it was saved; the whole piece is removed then.
   vtkSmartPointer<vtkImageData> Load(
     const int extent[6], const std::vector<std::string>& arrays) const;
 

@@ -50,11 +50,13 @@ PictureExposure FindExposure(vtkReliefScene* scene, const HeightField& field,
     const int last = std::min(first + step, count);
     if (provide)
     {
-      provide(WindowsOf(exposure, field.GetField().heights, first, last));
+      exposure.GetShading().SetOutline(
+        provide(WindowsOf(exposure, field.GetField().heights, first, last)));
     }
     vtkReliefFor(first, last, 1,
       [&](vtkIdType begin, vtkIdType end)
       { exposure.Measure(static_cast<int>(begin), static_cast<int>(end)); });
+    result.error.Add(exposure.GetShading().GetOutlineError());
   }
   result.stops = exposure.GetStops();
   result.rays = exposure.GetShading().GetRaysTraced();

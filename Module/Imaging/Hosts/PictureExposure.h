@@ -5,6 +5,7 @@
 /// @file
 /// The exposure at which a scene is shown. Not installed.
 
+#include "HeightOutline.h"
 #include "HeightSupply.h"
 #include "vtkReliefShadingModule.h" // For export macro
 
@@ -28,14 +29,18 @@ struct PictureExposure
   /// What was traced to find it.
   std::uint64_t rays = 0;
   std::uint64_t cells = 0;
+  /// By how much what was looked at may be wrong beside the tolerance.
+  OutlineError error;
 };
 
-/// Fills a field of tiled heights where some windows depend on it (TiledHeights::Provide).
-using WindowProvider = std::function<void(const std::vector<HeightSupply::Window>&)>;
+/// Fills a field of tiled heights where some windows depend on it (TiledHeights::Provide). Returns
+/// what is known of the heights that it has left out, null where it has left out none.
+using WindowProvider =
+  std::function<const HeightOutline*(const std::vector<HeightSupply::Window>&)>;
 
 /// The scene's exposure, or, where it is automatic, the one that suits the picture (on all
 /// threads). `converted` is what the scene has become. A field that is not in memory as a whole
-/// needs a provider.
+/// needs a provider, which is called for some tiles at a time.
 VTKRELIEFSHADING_EXPORT PictureExposure FindExposure(vtkReliefScene* scene,
   const HeightField& field, const Scene& converted,
   const WindowProvider& provide = WindowProvider());

@@ -8,8 +8,12 @@
 #include "vtkAlgorithm.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <limits>
+#include <locale>
 #include <new>
+#include <sstream>
 
 namespace relief::hosts
 {
@@ -24,6 +28,16 @@ ShadingRun::ShadingRun(vtkAlgorithm* host, HostInputs& inputs, const PreparedSce
 
 //------------------------------------------------------------------------------
 ShadingRun::~ShadingRun() = default;
+
+//------------------------------------------------------------------------------
+void ShadingRun::SetLimit(const TiledHeights::Limit& limit)
+{
+  if (this->Limit.bytes != limit.bytes || this->Limit.leavesOut != limit.leavesOut)
+  {
+    this->ExposedScene = 0; // it may be found from others
+  }
+  this->Limit = limit;
+}
 
 //------------------------------------------------------------------------------
 std::string ShadingRun::Plan(const Target& target, std::size_t cacheBytes)
@@ -74,7 +88,8 @@ std::unique_ptr<SceneShading> ShadingRun::MakeShading(IlluminationCache* cache)
 void ShadingRun::PlanTile()
 {
   const Target& out = this->Out;
-  this->GetProvider()({ { out.i0, out.i0 + out.width, out.j0, out.j0 + out.rows } });
+  const HeightOutline* outline =
+    this->GetProvider()({ { out.i0, out.i0 + out.width, out.j0, out.j0 + out.rows } });
   const std::vector<bool> layers{ out.rgba8 != nullptr, out.illumination != nullptr,
     out.thickness != nullptr, out.shadow != nullptr, out.normals != nullptr, out.base != nullptr,
     out.diffuse != nullptr, out.scatter != nullptr, out.specular != nullptr };
@@ -92,6 +107,7 @@ void ShadingRun::PlanTile()
     tiles = { this->MakeShading(nullptr), version, field, layers, 0, 0 };
   }
   this->Current = tiles.shading.get();
+  this->Current->SetOutline(outline);
 }
 
 //------------------------------------------------------------------------------
@@ -101,7 +117,7 @@ WindowProvider ShadingRun::GetProvider()
   TiledHeights* heights = this->Inputs.GetTiledHeights();
   return !heights ? WindowProvider()
                   : [this, heights](const std::vector<HeightSupply::Window>& windows)
-  { heights->Provide(this->Scene.Get(), this->Scene.GetVersion(), windows); };
+  { return heights->Provide(this->Scene.Get(), this->Scene.GetVersion(), windows, this->Limit); };
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +190,19 @@ bool ShadingRun::Shade()
 }
 
 //------------------------------------------------------------------------------
-void ShadingRun::Finish(vtkReliefStatistics* statistics)
+/// What heights that are left out take of the tolerance; infinite where none would do.
+double ShadingRun::FindToleranceTaken() const
+{
+  OutlineError error = this->Current->GetOutlineError();
+  error.Add(this->Exposure.error);
+  const bool any = this->Scene.Get().integrator != Integrator::FixedStep;
+  return error.thickness || error.shadow || (!any && error.tolerance > 0.0)
+    ? std::numeric_limits<double>::infinity()
+    : error.tolerance;
+}
+
+//------------------------------------------------------------------------------
+std::string ShadingRun::Finish(vtkReliefStatistics* statistics)
 {
   const SceneShading& shading = *this->Current;
   if (this->Whole)
@@ -191,15 +219,40 @@ void ShadingRun::Finish(vtkReliefStatistics* statistics)
   statistics->SetCellsVisited(static_cast<vtkTypeInt64>(cells));
   statistics->SetExposure(this->Exposure.stops);
   statistics->SetEffectsEvaluated(shading.GetEffects());
+  const double taken = this->FindToleranceTaken();
+  const double tolerance = this->Scene.Get().medium.tolerance;
+  const TiledHeights* heights = this->Inputs.GetTiledHeights();
+  statistics->SetToleranceTaken(taken);
+  statistics->SetRegionsLeftOut(
+    heights ? static_cast<vtkTypeInt64>(heights->GetNumberLeftOut()) : 0);
   this->Whole.reset();
+  if (taken <= tolerance)
+  {
+    return std::string();
+  }
+  const std::string limit = ", or raise HeightMemoryLimit";
+  if (std::isinf(taken))
+  {
+    return "the layers Thickness and Shadow and fixed steps know no tolerance, and depend on "
+           "heights "
+           "that are left out; do without" +
+      limit;
+  }
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(4);
+  text << "heights that are left out make illuminations uncertain by " << taken
+       << ", and Tolerance is " << tolerance << "; make it " << taken * 1.001 << limit;
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
 TiledHeights::Needs ShadingRun::Estimate(const HeightSupply::Window& window)
 {
   TiledHeights* heights = this->Inputs.GetTiledHeights();
-  return !heights ? TiledHeights::Needs()
-                  : heights->Estimate(this->Scene.Get(), this->Scene.GetVersion(), window);
+  return !heights
+    ? TiledHeights::Needs()
+    : heights->Estimate(this->Scene.Get(), this->Scene.GetVersion(), window, this->Limit);
 }
 
 //------------------------------------------------------------------------------

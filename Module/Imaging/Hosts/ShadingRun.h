@@ -36,6 +36,9 @@ public:
   ShadingRun(vtkAlgorithm* host, HostInputs& inputs, const PreparedScene& scene);
   ~ShadingRun();
 
+  /// What heights that are read as they are needed may take, of all that follows.
+  void SetLimit(const TiledHeights::Limit& limit);
+
   /// Decides what can be decided once. Returns an empty text, or what is wrong. Throws a
   /// std::bad_alloc.
   std::string Plan(const Target& target, std::size_t cacheBytes);
@@ -46,8 +49,9 @@ public:
   /// Shades all of the target. Returns false where the host has been aborted.
   bool Shade();
 
-  /// Keeps the illuminations, and tells what has been done.
-  void Finish(vtkReliefStatistics* statistics);
+  /// Keeps the illuminations, and tells what has been done. Returns an empty text, or what is wrong
+  /// with it: heights that were left out may matter more than the scene's tolerance allows.
+  std::string Finish(vtkReliefStatistics* statistics);
 
   /// What an update of an extent of the picture, from its first sample on, would take.
   TiledHeights::Needs Estimate(const HeightSupply::Window& window);
@@ -60,10 +64,12 @@ private:
   WindowProvider GetProvider();
   std::unique_ptr<SceneShading> MakeShading(IlluminationCache* cache);
   void PlanTile();
+  double FindToleranceTaken() const;
 
   vtkAlgorithm* Host;
   HostInputs& Inputs;
   const PreparedScene& Scene;
+  TiledHeights::Limit Limit;
   Target Out;
   SceneShading* Current = nullptr; // one of the two below
   std::unique_ptr<SceneShading> Whole;

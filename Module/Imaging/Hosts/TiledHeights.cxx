@@ -14,10 +14,13 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <mutex>
 #include <new>
+#include <stdexcept>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -53,6 +56,16 @@ void AddRow(const HeightSource<T>& heights, int j, const float* lengths, double 
     ends[0] = height < ends[0] ? height : ends[0];
     ends[1] = height > ends[1] ? height : ends[1];
   }
+}
+
+//------------------------------------------------------------------------------
+std::string LimitMessage(double bytes, const TiledHeights::Limit& limit)
+{
+  const auto kibibytes = [](double number)
+  { return std::to_string(static_cast<long long>(number)); };
+  return "the extent depends on heights that take " + kibibytes(std::ceil(bytes / 1024.0)) +
+    " KiB, HeightMemoryLimit is " + kibibytes(limit.bytes / 1024.0) + "; raise it, ask for less" +
+    (limit.leavesOut ? "" : ", or SetBeyondMemoryToBounds()");
 }
 
 //------------------------------------------------------------------------------
@@ -275,18 +288,177 @@ void TiledHeights::Fill(const RegionSet& regions)
 }
 
 //------------------------------------------------------------------------------
-void TiledHeights::Provide(
-  const Scene& scene, std::uint64_t version, const std::vector<HeightSupply::Window>& windows)
+/// What any of some windows depends on, by the regions of the scene at hand.
+TileRegions::Found TiledHeights::FindAll(const std::vector<HeightSupply::Window>& windows) const
 {
-  const TileRegions& regions = this->RegionsFor(scene, version);
   const RegionSet& filled = this->Sparse->GetFilled();
-  TileRegions::Found found{ RegionSet(filled.GetColumns(), filled.GetRows()),
-    RegionSet(filled.GetColumns(), filled.GetRows()) };
+  const RegionSet none(filled.GetColumns(), filled.GetRows());
+  TileRegions::Found found{ none, none, none };
   for (const HeightSupply::Window& window : windows)
   {
-    const TileRegions::Found one = regions.Find(window.i0, window.i1, window.j0, window.j1);
+    const TileRegions::Found one = this->Regions->Find(window.i0, window.i1, window.j0, window.j1);
     found.read.Add(one.read);
     found.level.Add(one.level);
+    found.needed.Add(one.needed);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/// Heights and what bounds them; and of every row that is no whole page, the rest.
+double TiledHeights::BytesOf(const TileRegions::Found& found) const
+{
+  constexpr double perSample = 9.0;
+  constexpr double perInterval = 1.5 * RegionSize * 4096.0;
+  RegionSet all = found.read;
+  all.Add(found.level);
+  double bytes = 0.0;
+  for (const RegionSet::Interval& run : all.GetIntervals())
+  {
+    bytes += perSample * (run.end - run.begin) * RegionSize * RegionSize + perInterval;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+double TiledHeights::BytesOfColors(const HeightSupply::Window& window) const
+{
+  const double own = 1.0 * (window.i1 - window.i0) * (window.j1 - window.j0);
+  return this->Table ? (8.0 + this->Supply->GetBytesPerSample()) * own : 0.0;
+}
+
+//------------------------------------------------------------------------------
+/// Takes away what does not fit into so many bytes: first what would be level, of which nothing is
+/// lost, then the farthest of what would be read. Leaves what is needed, whether that fits or not.
+void TiledHeights::LeaveOut(
+  const std::vector<HeightSupply::Window>& windows, double bytes, TileRegions::Found& found) const
+{
+  struct Candidate
+  {
+    int distance;
+    int j, i;
+    bool operator<(const Candidate& other) const
+    {
+      return std::tie(this->distance, this->j, this->i) <
+        std::tie(other.distance, other.j, other.i);
+    }
+  };
+  const RegionSet none(found.read.GetColumns(), found.read.GetRows());
+  auto list = [&](const RegionSet& regions)
+  {
+    std::vector<Candidate> all;
+    for (const RegionSet::Interval& run : regions.GetIntervals())
+    {
+      for (int i = run.begin; i < run.end; ++i)
+      {
+        if (found.needed.Has(i, run.row))
+        {
+          continue;
+        }
+        int distance = std::numeric_limits<int>::max();
+        for (const HeightSupply::Window& window : windows)
+        {
+          const int aside = std::max(window.i0 / RegionSize - i, i - (window.i1 - 1) / RegionSize);
+          const int along =
+            std::max(window.j0 / RegionSize - run.row, run.row - (window.j1 - 1) / RegionSize);
+          distance = std::min(distance, std::max(aside, along));
+        }
+        all.push_back({ distance, run.row, i });
+      }
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const std::vector<Candidate> read = list(found.read);
+  const std::vector<Candidate> level = list(found.level);
+  auto take = [&](std::size_t count)
+  {
+    TileRegions::Found taken{ found.needed, none, found.needed };
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const Candidate& one = k < read.size() ? read[k] : level[k - read.size()];
+      (k < read.size() ? taken.read : taken.level).Add(one.i, one.i, one.j, one.j);
+    }
+    return taken;
+  };
+  // As many of the nearest as fit.
+  std::size_t fits = 0;
+  std::size_t more = read.size() + level.size() + 1;
+  while (fits + 1 < more)
+  {
+    const std::size_t middle = (fits + more) / 2;
+    (this->BytesOf(take(middle)) <= bytes ? fits : more) = middle;
+  }
+  found = take(fits);
+}
+
+//------------------------------------------------------------------------------
+/// The regions of windows that depend on nothing but what is filled.
+RegionSet TiledHeights::FindWhole(
+  const std::vector<HeightSupply::Window>& windows, const TileRegions::Found& filled) const
+{
+  RegionSet whole(filled.read.GetColumns(), filled.read.GetRows());
+  RegionSet partly = whole; // of one of the windows that a region may have parts of
+  auto holds = [](const RegionSet& all, const RegionSet& some)
+  {
+    RegionSet both = all;
+    both.Add(some);
+    return both.Count() == all.Count();
+  };
+  RegionSet any = filled.read;
+  any.Add(filled.level);
+  for (const HeightSupply::Window& window : windows)
+  {
+    for (int j = window.j0 / RegionSize; j <= (window.j1 - 1) / RegionSize; ++j)
+    {
+      for (int i = window.i0 / RegionSize; i <= (window.i1 - 1) / RegionSize; ++i)
+      {
+        const TileRegions::Found found = this->Regions->Find(std::max(i * RegionSize, window.i0),
+          std::min((i + 1) * RegionSize, window.i1), std::max(j * RegionSize, window.j0),
+          std::min((j + 1) * RegionSize, window.j1));
+        const bool there = holds(filled.read, found.read) && holds(any, found.level);
+        (there ? whole : partly).Add(i, i, j, j);
+      }
+    }
+  }
+  for (const RegionSet::Interval& run : partly.GetIntervals())
+  {
+    for (int i = run.begin; i < run.end; ++i)
+    {
+      whole.Remove(i, run.row);
+    }
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+const HeightOutline* TiledHeights::Provide(const Scene& scene, std::uint64_t version,
+  const std::vector<HeightSupply::Window>& windows, const Limit& limit)
+{
+  this->RegionsFor(scene, version);
+  TileRegions::Found found = this->FindAll(windows);
+  double colors = 0.0;
+  for (const HeightSupply::Window& window : windows)
+  {
+    colors += this->BytesOfColors(window);
+  }
+  this->Outline.reset();
+  this->LeftOut = 0;
+  const double bytes = this->BytesOf(found) + colors;
+  if (bytes > limit.bytes)
+  {
+    const std::size_t all = found.read.Count();
+    if (limit.leavesOut)
+    {
+      this->LeaveOut(windows, limit.bytes - colors, found);
+    }
+    const double least = this->BytesOf(found) + colors;
+    if (least > limit.bytes)
+    {
+      throw std::runtime_error(LimitMessage(least, limit));
+    }
+    this->LeftOut = all - found.read.Count();
+    this->Outline.emplace(*this->Sparse, this->FindWhole(windows, found));
   }
   RegionSet kept = found.read;
   kept.Add(found.level);
@@ -302,28 +474,25 @@ void TiledHeights::Provide(
       this->Color(window);
     }
   }
+  return this->Outline ? &*this->Outline : nullptr;
 }
 
 //------------------------------------------------------------------------------
 TiledHeights::Needs TiledHeights::Estimate(
-  const Scene& scene, std::uint64_t version, const HeightSupply::Window& window)
+  const Scene& scene, std::uint64_t version, const HeightSupply::Window& window, const Limit& limit)
 {
-  const TileRegions::Found found =
-    this->RegionsFor(scene, version).Find(window.i0, window.i1, window.j0, window.j1);
-  RegionSet all = found.read;
-  all.Add(found.level);
-  // Heights and what bounds them; and of every row that is no whole page, the rest.
-  constexpr double perSample = 9.0;
-  constexpr double perInterval = 1.5 * RegionSize * 4096.0;
+  this->RegionsFor(scene, version);
+  TileRegions::Found found = this->FindAll({ window });
+  const double colors = this->BytesOfColors(window);
   Needs needs;
-  for (const RegionSet::Interval& run : all.GetIntervals())
+  needs.samples =
+    1.0 * RegionSize * RegionSize * static_cast<double>(found.read.Count() + found.level.Count());
+  needs.bytes = this->BytesOf(found) + colors;
+  if (limit.leavesOut && needs.bytes > limit.bytes)
   {
-    const double samples = 1.0 * (run.end - run.begin) * RegionSize * RegionSize;
-    needs.samples += samples;
-    needs.bytes += perSample * samples + perInterval;
+    this->LeaveOut({ window }, limit.bytes - colors, found);
+    needs.bytes = this->BytesOf(found) + colors;
   }
-  const double own = 1.0 * (window.i1 - window.i0) * (window.j1 - window.j0);
-  needs.bytes += this->Table ? (8.0 + this->Supply->GetBytesPerSample()) * own : 0.0;
   return needs;
 }
 

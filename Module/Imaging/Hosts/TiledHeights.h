@@ -5,6 +5,7 @@
 /// @file
 /// The heights of an image that does not fit into memory. Not installed.
 
+#include "HeightOutline.h"
 #include "HeightSupply.h"
 #include "Scene.h"
 #include "SparseHeights.h"
@@ -13,7 +14,9 @@
 #include "vtkGenericDataArray.h"
 #include "vtkReliefShadingModule.h" // For export macro
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,19 +60,35 @@ public:
   /// What has been prepared.
   const HeightField& GetField() const { return this->Sparse->GetField(); }
 
+  /// What the heights that a window depends on may take, in bytes, and what is done where they
+  /// would take more: the farthest are left out, so that they are known by their bounds only, or a
+  /// std::runtime_error is thrown.
+  struct Limit
+  {
+    double bytes = std::numeric_limits<double>::infinity();
+    bool leavesOut = false;
+  };
+
   /// Fills the field where samples in any of some windows depend on it for a scene, which is
-  /// another when its version is, and forgets it elsewhere.
-  void Provide(
-    const Scene& scene, std::uint64_t version, const std::vector<HeightSupply::Window>& windows);
+  /// another when its version is, and forgets it elsewhere. What is left out depends on all of
+  /// these, on nothing that was filled before. Returns what is known of it, until the next call;
+  /// null where nothing is left out.
+  const HeightOutline* Provide(const Scene& scene, std::uint64_t version,
+    const std::vector<HeightSupply::Window>& windows, const Limit& limit);
+
+  /// How many regions the last call has left out that rays may meet.
+  std::size_t GetNumberLeftOut() const { return this->LeftOut; }
 
   /// About how many bytes of memory Provide() would take for a window, and how many samples it
-  /// would have to look at.
+  /// would have to look at if nothing were left out. More bytes than the limit has mean that it
+  /// would throw.
   struct Needs
   {
     double bytes = 0.0;
     double samples = 0.0;
   };
-  Needs Estimate(const Scene& scene, std::uint64_t version, const HeightSupply::Window& window);
+  Needs Estimate(const Scene& scene, std::uint64_t version, const HeightSupply::Window& window,
+    const Limit& limit);
 
   /// The colours that a table gives to heights, 4 bytes a sample, in rows: of the windows that are
   /// provided from now on. Null takes the table away.
@@ -110,6 +129,13 @@ private:
 
   std::unique_ptr<HeightSurvey> MakeSurvey(double scale, double datum) const;
   const TileRegions& RegionsFor(const Scene& scene, std::uint64_t version);
+  TileRegions::Found FindAll(const std::vector<HeightSupply::Window>& windows) const;
+  double BytesOf(const TileRegions::Found& found) const;
+  double BytesOfColors(const HeightSupply::Window& window) const;
+  void LeaveOut(const std::vector<HeightSupply::Window>& windows, double bytes,
+    TileRegions::Found& found) const;
+  RegionSet FindWhole(
+    const std::vector<HeightSupply::Window>& windows, const TileRegions::Found& filled) const;
   void Fill(const RegionSet& regions);
   void Color(const HeightSupply::Window& window);
 
@@ -119,6 +145,8 @@ private:
   std::optional<Preparation> Prepared;
   std::unique_ptr<TileRegions> Regions;
   std::uint64_t RegionsVersion = 0;
+  std::optional<HeightOutline> Outline; // of the last windows, where any is left out
+  std::size_t LeftOut = 0;
   vtkSmartPointer<vtkScalarsToColors> Table;
   RawArray<unsigned char> Colors;
   std::vector<float> Copy; // for GetVoidPointer

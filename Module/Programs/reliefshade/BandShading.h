@@ -23,6 +23,10 @@ struct ShadingReport
   vtkTypeInt64 CellsVisited = 0;
   double Exposure = 0.0;
   double Seconds = 0.0;
+  /// Pieces of which some heights are known by their bounds only, and what that took of the
+  /// tolerance at most.
+  vtkTypeInt64 PiecesByBounds = 0;
+  double ToleranceTaken = 0.0;
 };
 
 /// Rows that are shaded at a time: enough that what is done once for all of them costs nothing, and

@@ -377,6 +377,13 @@ void addRunOptions(OptionParser& parser, Options& options)
     "all are done. The picture is the same. A run that has been stopped goes on where it was when "
     "the same is asked for again. Default: all of the machine's, unless --memory-limit is given",
     [&options](const std::string& word) { options.Memory = toBytes("--memory", word); });
+  parser.Choice("--beyond-memory",
+    "What is done where even small pieces depend on more heights than --memory has room for. "
+    "refuse: the run ends; bounds: the farthest heights are known by their bounds only, as few as "
+    "need be, and the run ends where that may change an illumination by more than --tolerance. "
+    "Default: refuse",
+    { { "refuse", [&options] { options.BoundsBeyondMemory = false; } },
+      { "bounds", [&options] { options.BoundsBeyondMemory = true; } } });
 
   parser.SetGroup("Output");
   parser.Choice("--type",

@@ -112,6 +112,8 @@ struct Options
   bool MemoryLimitGiven = false;
   /// What needs more is shaded in pieces, in bytes; 0 where the user does not say.
   double Memory = 0.0;
+  /// Where even the least piece needs more, the farthest heights are known by their bounds only.
+  bool BoundsBeyondMemory = false;
   bool Statistics = false;
   bool Quiet = false;
 };

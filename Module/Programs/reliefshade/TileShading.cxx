@@ -16,13 +16,21 @@
 #include "Watch.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageReliefShading.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkReliefScene.h"
+#include "vtkReliefStatistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 #ifdef __GLIBC__
@@ -39,6 +47,8 @@ using relief::raster::TiledRaster;
 constexpr double MiB = 1024.0 * 1024.0;
 /// What is known of all heights takes, for a sample.
 constexpr double BoundsBytes = 0.007;
+/// Of the memory that a run may take, what pieces and these bounds may.
+constexpr double MemoryShare = 0.7;
 
 //------------------------------------------------------------------------------
 /// The memory that a run may take; 0 for any.
@@ -69,6 +79,13 @@ void keepFreedMemory()
   mallopt(M_MMAP_THRESHOLD, most);
   mallopt(M_TRIM_THRESHOLD, 4 * most);
 #endif
+}
+
+//------------------------------------------------------------------------------
+/// As --memory takes it.
+std::string inMebibytes(double bytes)
+{
+  return std::to_string(static_cast<long long>(std::ceil(bytes / MiB))) + "M";
 }
 
 //------------------------------------------------------------------------------
@@ -256,6 +273,13 @@ double TileShading::BytesOf(const Extent& piece, double sampleBytes) const
 }
 
 //------------------------------------------------------------------------------
+/// What a run may take must be for pieces that take so many bytes.
+double TileShading::MemoryFor(double bytes) const
+{
+  return (bytes + BoundsBytes * this->Heights.Columns * this->Heights.Rows) / MemoryShare;
+}
+
+//------------------------------------------------------------------------------
 /// Bands as high as fit; where the lowest does not, its pieces are narrower.
 void TileShading::Cut(double sampleBytes)
 {
@@ -266,27 +290,14 @@ void TileShading::Cut(double sampleBytes)
   const int width = (this->Heights.Columns + region - 1) / region * region;
   // The rest is for the program itself, the bounds of all heights, and what files are read through.
   const double samples = 1.0 * this->Heights.Columns * this->Heights.Rows;
-  const double memory = 0.7 * memoryOf(this->Given) - BoundsBytes * samples;
+  const double memory = MemoryShare * memoryOf(this->Given) - BoundsBytes * samples;
   this->Columns = width;
   this->Rows = most;
-  double largest = 0.0;
+  this->Shading->SetHeightMemoryLimit(VTK_DOUBLE_MAX);
   for (;;)
   {
     this->Pieces = this->PiecesOf(this->Columns, this->Rows);
-    largest = 0.0;
-    for (const Extent& piece : this->Pieces)
-    {
-      largest = std::max(largest, this->BytesOf(piece, sampleBytes));
-      if (largest > memory)
-      {
-        break;
-      }
-    }
-    if (hasError())
-    {
-      throw Failure(this->Given.Input, takeError());
-    }
-    if (largest <= memory)
+    if (this->LargestOf(sampleBytes, memory) <= memory)
     {
       return;
     }
@@ -303,10 +314,49 @@ void TileShading::Cut(double sampleBytes)
       break;
     }
   }
+  this->LeaveOut(memory, sampleBytes);
+}
+
+//------------------------------------------------------------------------------
+/// What the largest of the pieces takes, or the first that takes more than is enough to know.
+double TileShading::LargestOf(double sampleBytes, double enough) const
+{
+  double largest = 0.0;
+  for (std::size_t k = 0; k < this->Pieces.size() && largest <= enough; ++k)
+  {
+    largest = std::max(largest, this->BytesOf(this->Pieces[k], sampleBytes));
+  }
+  if (hasError())
+  {
+    throw Failure(this->Given.Input, takeError());
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+/// Even the least pieces do not fit: of their heights some are left out, or the run is refused.
+void TileShading::LeaveOut(double memory, double sampleBytes)
+{
+  constexpr double any = std::numeric_limits<double>::infinity();
+  double largest = this->LargestOf(sampleBytes, any);
+  const double wanted = this->MemoryFor(largest);
+  if (this->Given.BoundsBeyondMemory)
+  {
+    const double room = memory - 2.0 * sampleBytes * this->Columns * this->Rows;
+    this->Shading->SetHeightMemoryLimit(std::max(std::floor(room / 1024.0), 0.0));
+    this->Shading->SetBeyondMemoryToBounds();
+    this->Wanted = wanted;
+    largest = this->LargestOf(sampleBytes, any);
+    if (largest <= memory)
+    {
+      return;
+    }
+  }
   throw Failure("--memory",
     "the least piece, " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " samples, depends on heights that take more; give at least " +
-      std::to_string(static_cast<long long>(std::ceil(largest / 0.7 / MiB))) + "M");
+      " samples, depends on heights that take more" +
+      (this->Given.BoundsBeyondMemory ? ", of which none can be left out" : "") +
+      "; give at least " + inMebibytes(this->MemoryFor(largest)));
 }
 
 //------------------------------------------------------------------------------
@@ -323,7 +373,10 @@ std::string TileShading::GetKey() const
     (this->Form && !this->Form->ByValue
         ? " of " + std::to_string(this->Form->GetComponents()) + " components"
         : "") +
-    "\npieces: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) + "\n";
+    "\npieces: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) + "\n" +
+    (this->Wanted > 0.0 ? "heights by bounds: beyond " +
+          std::to_string(static_cast<long long>(this->Shading->GetHeightMemoryLimit())) + " KiB\n"
+                        : "");
 }
 
 //------------------------------------------------------------------------------
@@ -375,7 +428,7 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
     [&]
     {
       const std::function<void(vtkImageData*)> save = [this](vtkImageData* piece)
-      { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(this->Pack(piece)); }); };
+      { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(piece); }); };
       const std::vector<Extent> share = this->ShareOf(missing);
       // What was there before counts as done.
       const auto left =
@@ -386,7 +439,7 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
       for (const Extent& piece : share)
       {
         this->Shading->SetProgressShiftScale(part.Begin + part.Length * at, part.Length * each);
-        taker.Give(shadePart(this->Shading, this->Given.Input, piece.data(), report));
+        taker.Give(this->ShadePiece(piece, report));
         at += each;
       }
       taker.Finish();
@@ -394,19 +447,65 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
 }
 
 //------------------------------------------------------------------------------
-/// As pieces are kept: grey pictures take a quarter of what the filter makes of them.
-vtkSmartPointer<vtkImageData> TileShading::Pack(vtkImageData* piece) const
+/// A piece as it is kept: grey pictures take a quarter of what the filter makes of them. What it
+/// has of heights that are known by their bounds only is kept with it, for who writes them all.
+vtkSmartPointer<vtkImageData> TileShading::ShadePiece(
+  const Extent& extent, ShadingReport& report) const
 {
-  return this->Form ? packPicture(piece, *this->Form) : vtkSmartPointer<vtkImageData>(piece);
+  vtkReliefStatistics* statistics = this->Shading->GetStatistics();
+  vtkSmartPointer<vtkImageData> piece;
+  try
+  {
+    piece = shadePart(this->Shading, this->Given.Input, extent.data(), report);
+  }
+  catch (const Failure&)
+  {
+    const double taken = statistics->GetToleranceTaken();
+    if (!(this->Wanted > 0.0) || taken <= this->Given.Scene->GetTolerance())
+    {
+      throw;
+    }
+    const std::string memory = "give --memory " + inMebibytes(this->Wanted);
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(4);
+    text << "of the piece " << extent[0] << "-" << extent[1] << "_" << extent[2] << "-"
+         << extent[3];
+    if (std::isinf(taken))
+    {
+      text << " layers or fixed steps, which know no tolerance, depend on heights beyond; "
+           << memory;
+    }
+    else
+    {
+      text << " illuminations are uncertain by " << taken << "; " << memory << ", or --tolerance "
+           << 1.001 * taken; // whatever is rounded
+    }
+    throw Failure("--beyond-memory", text.str());
+  }
+  if (this->Form)
+  {
+    piece = packPicture(piece, *this->Form);
+  }
+  piece->GetFieldData()->Initialize();
+  if (statistics->GetRegionsLeftOut() > 0)
+  {
+    vtkNew<vtkDoubleArray> note;
+    note->SetName(relief::streaming::TileStore::Note);
+    note->InsertNextValue(statistics->GetToleranceTaken());
+    piece->GetFieldData()->AddArray(note);
+  }
+  return piece;
 }
 
 //------------------------------------------------------------------------------
 /// A piece from the disk. One that is damaged is shaded again.
 vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingReport& report) const
 {
+  vtkSmartPointer<vtkImageData> loaded;
   try
   {
-    return this->Store->Load(piece.data(), this->Arrays);
+    loaded = this->Store->Load(piece.data(), this->Arrays);
   }
   catch (const relief::streaming::TileDamaged& damage)
   {
@@ -415,10 +514,17 @@ vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingRepo
       say("warning: " + std::string(damage.what()) + "; it is shaded again");
     }
   }
-  const vtkSmartPointer<vtkImageData> again =
-    this->Pack(shadePart(this->Shading, this->Given.Input, piece.data(), report));
-  this->Store->Save(again);
-  return again;
+  if (!loaded)
+  {
+    loaded = this->ShadePiece(piece, report);
+    this->Store->Save(loaded);
+  }
+  if (vtkDataArray* note = loaded->GetFieldData()->GetArray(relief::streaming::TileStore::Note))
+  {
+    ++report.PiecesByBounds;
+    report.ToleranceTaken = std::max(report.ToleranceTaken, note->GetTuple1(0));
+  }
+  return loaded;
 }
 
 //------------------------------------------------------------------------------

@@ -65,12 +65,15 @@ private:
   using Extent = std::array<int, 6>;
 
   void Cut(double sampleBytes);
+  double LargestOf(double sampleBytes, double enough) const;
+  void LeaveOut(double memory, double sampleBytes);
+  vtkSmartPointer<vtkImageData> ShadePiece(const Extent& piece, ShadingReport& report) const;
   double BytesOf(const Extent& piece, double sampleBytes) const;
+  double MemoryFor(double bytes) const;
   std::vector<Extent> PiecesOf(int columns, int rows) const;
   std::string GetKey() const;
   std::vector<Extent> Missing() const;
   std::vector<Extent> ShareOf(const std::vector<Extent>& pieces) const;
-  vtkSmartPointer<vtkImageData> Pack(vtkImageData* piece) const;
   vtkSmartPointer<vtkImageData> Load(const Extent& piece, ShadingReport& report) const;
   vtkSmartPointer<vtkImageData> LoadBand(int firstRow, ShadingReport& report) const;
   void MakeRoom(vtkImageData* piece, vtkImageData* band) const;
@@ -80,6 +83,7 @@ private:
   vtkImageReliefShading* Shading;
   int Columns = 0; // of a piece
   int Rows = 0;
+  double Wanted = 0.0;        // bytes of memory, for nothing to be left out; 0 where nothing is
   std::vector<Extent> Pieces; // band by band, from the lower ones on
   std::vector<std::string> Arrays;
   std::optional<PictureForm> Form; // of Shading in the pieces, where it is not that of the filter

@@ -38,8 +38,10 @@
 #include <array>
 #include <exception>
 #include <iostream>
+#include <locale>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -74,7 +76,23 @@ void printStatistics(const Raster& raster, const Options& options, const Shading
             << "rays-traced: " << report.RaysTraced << "\n"
             << "cells-visited: " << report.CellsVisited << "\n"
             << "exposure: " << report.Exposure << "\n"
+            << "pieces-by-bounds: " << report.PiecesByBounds << "\n"
+            << "tolerance-taken: " << report.ToleranceTaken << "\n"
             << "seconds: " << report.Seconds << std::endl;
+}
+
+//------------------------------------------------------------------------------
+/// Says what heights that are known by their bounds only have cost.
+void tellBounds(const Options& options, const ShadingReport& report)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(3);
+  text << options.Input
+       << ": pieces with heights that are known by their bounds only: " << report.PiecesByBounds
+       << "; of the tolerance of " << options.Scene->GetTolerance() << " they take "
+       << report.ToleranceTaken;
+  say(text.str());
 }
 
 //------------------------------------------------------------------------------
@@ -269,6 +287,8 @@ ShadingReport shadeFrames(Options& options, const FrameFiles& files, const SunCl
     sum.RaysTraced += report.RaysTraced;
     sum.CellsVisited += report.CellsVisited;
     sum.Seconds += report.Seconds;
+    sum.PiecesByBounds += report.PiecesByBounds;
+    sum.ToleranceTaken = std::max(sum.ToleranceTaken, report.ToleranceTaken);
   }
   return sum;
 }
@@ -360,6 +380,10 @@ void run(Options& options)
   const ShadingReport report =
     shadeFrames(options, files, clock, raster, std::move(outputs), mapScene, shading);
   printWarnings(options);
+  if (report.PiecesByBounds > 0 && !options.Quiet)
+  {
+    tellBounds(options, report);
+  }
   if (options.Statistics)
   {
     printStatistics(raster, options, report);
