@@ -99,17 +99,16 @@ int reliefRows(const FilledField<Real>& field)
   return field.heights.rows;
 }
 
-// As the field itself has them.
 template <class Real>
 Real reliefSpacingX(const FilledField<Real>& field)
 {
-  return static_cast<Real>(static_cast<float>(field.heights.spacingX));
+  return static_cast<Real>(field.heights.spacingX);
 }
 
 template <class Real>
 Real reliefSpacingY(const FilledField<Real>& field)
 {
-  return static_cast<Real>(static_cast<float>(field.heights.spacingY));
+  return static_cast<Real>(field.heights.spacingY);
 }
 
 template <class Real>
@@ -186,8 +185,7 @@ void HeightOutline::TraceRow(const f64::ReliefMedium& medium, const Light& light
     std::copy_n(request.normals, request.end - request.begin, normals);
     rays.normals = normals;
   }
-  // Where rays start, all heights are there.
-  ForEachRay<double>(this->Heights.GetField().GetField(), exact, light, rays, count,
+  ForEachRay<double>(upper, exact, light, rays, count,
     [&](int k, const f64::ReliefRay& ray, const glm::dvec3& n, const glm::dvec3& l)
     {
       f64::ReliefTrace trace;
@@ -210,7 +208,7 @@ void HeightOutline::StepRow(const f32::ReliefMedium& medium, const Light& light,
 {
   const FilledField<float> upper = MakeFilled<float>(this->Heights, true);
   const FilledField<float> lower = MakeFilled<float>(this->Heights, false);
-  ForEachRay<float>(this->Heights.GetField().GetField(), medium, light, request, count,
+  ForEachRay<float>(upper, medium, light, request, count,
     [&](int k, const f32::ReliefRay& ray, const glm::vec3&, const glm::vec3&)
     {
       const int most = f32::reliefStepCount(upper, ray, steps);

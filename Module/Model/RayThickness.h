@@ -91,8 +91,8 @@ typename Precision<Real>::Vec3 LightFrom(
 
 /// Calls body(k, ray, n, l) for every sample of a request that has data and is wanted, k its place
 /// in the request's arrays.
-template <class Real, class T, class Body>
-void ForEachRay(const Field<T>& field, const typename Precision<Real>::Medium& medium,
+template <class Real, class FieldType, class Body>
+void ForEachRay(const FieldType& field, const typename Precision<Real>::Medium& medium,
   const Light& light, const RowRequest<Real>& request, RayCount& count, Body&& body)
 {
   using Vec3 = typename Precision<Real>::Vec3;

@@ -461,6 +461,7 @@ TileRegions::Found TileRegions::Find(int i0, int i1, int j0, int j1) const
     if (anywhere)
     {
       found.read.Add(0, found.read.GetColumns() - 1, 0, found.read.GetRows() - 1);
+      found.needed = found.read;
       break;
     }
     // Region by region corridors are tight; of very many lights, or where points are sunk far

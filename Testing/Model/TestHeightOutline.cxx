@@ -156,7 +156,7 @@ struct Tally
 {
   std::uint64_t rays = 0;
   std::uint64_t open = 0;    // whose bounds differ
-  std::uint64_t beyond = 0;  // outside their bounds by more than rounding
+  std::uint64_t rough = 0;   // shaded otherwise than rounding and bounds allow, in single precision
   double furthest = 0.0;     // by how much at most
   std::uint64_t tiles = 0;   // with something left out
   std::uint64_t certain = 0; // of these, those that are as known as ever
@@ -212,13 +212,12 @@ void CheckLight(const Both& both, const HeightOutline& outline, const Scene& sce
       tally.open += row.leastD[k] != row.greatestD[k] ? 1 : 0;
       const double off = std::max({ row.leastD[k] - d[k], d[k] - row.greatestD[k], 0.0 });
       tally.furthest = std::max(tally.furthest, off);
-      tally.beyond += off > 1e-8 ? 1 : 0;
-      EXPECT_TRUE(off < 1e-5 || IsEdge(medium, d[k], row.leastD[k]))
+      EXPECT_TRUE(off < 1e-9 || IsEdge(medium, d[k], row.leastD[k]))
         << i << ", " << j << ": " << d[k] << " is not from " << row.leastD[k] << " to "
         << row.greatestD[k];
       // Where a ray grazes, or goes on beyond the data, rounding shows more.
       const double slack =
-        1e-4 * (std::min({ r[k], row.leastR[k], 1e30 }) + medium.depth + view.spacingX);
+        1e-6 * (std::min({ r[k], row.leastR[k], 1e30 }) + medium.depth + view.spacingX);
       EXPECT_TRUE(r[k] >= row.leastR[k] - slack && r[k] <= row.greatestR[k] + slack)
         << i << ", " << j << ": " << r[k] << " is not from " << row.leastR[k] << " to "
         << row.greatestR[k];
@@ -245,8 +244,7 @@ void CheckShading(const Both& both, const HeightOutline& outline, const Scene& s
     off += std::abs(plan.share) * plan.light.toleranceScale;
     sum += std::abs(plan.share) * plan.light.open;
   }
-  const double allowed =
-    sum > 0.0 ? off / sum * (error.tolerance + scene.medium.tolerance) + 1e-5 : 0.0;
+  const double allowed = sum > 0.0 ? off / sum * (error.tolerance + scene.medium.tolerance) : 0.0;
   bool equal = true;
   for (int j = tile.j0; j < tile.j1; ++j)
   {
@@ -268,7 +266,10 @@ void CheckShading(const Both& both, const HeightOutline& outline, const Scene& s
         (shaded.illumination[at] == 0.0f) != (expected.illumination[at] == 0.0f);
       if (!jumps && scene.integrator == Integrator::Exact)
       {
-        EXPECT_NEAR(shaded.illumination[at], expected.illumination[at], allowed) << i << ", " << j;
+        // What single precision has, see Documentation/Model.md.
+        const double beside = std::abs(shaded.illumination[at] - expected.illumination[at]);
+        tally.rough += beside > allowed + 1e-5 ? 1 : 0;
+        EXPECT_LE(beside, allowed + 1e-3) << i << ", " << j;
       }
       if (scene.integrator == Integrator::FixedStep && error.tolerance == 0.0)
       {
@@ -307,6 +308,9 @@ TEST_F(HeightOutlineTest, WhatIsLeftOutIsBounded)
     SCOPED_TRACE("RELIEF_SEED=" + std::to_string(Seed()) + " RELIEF_CASE=" + std::to_string(k));
     Random random(Seed() + 1000003ull * k);
     Terrain terrain = MakeLargeTerrain(random, random.Integer(200, 900), random.Integer(200, 700));
+    // Of few digits, the same in both precisions.
+    terrain.spacingX = std::round(1024.0 * terrain.spacingX) / 1024.0;
+    terrain.spacingY = std::round(1024.0 * terrain.spacingY) / 1024.0;
     if (random.Chance(0.7))
     {
       FillHoles(terrain);
@@ -349,13 +353,16 @@ TEST_F(HeightOutlineTest, WhatIsLeftOutIsBounded)
       }
     }
   }
-  std::cout << "of " << tally.rays << " rays " << tally.open << " are uncertain, " << tally.beyond
-            << " beyond their bounds, by " << tally.furthest << " at most; of " << tally.tiles
-            << " tiles " << tally.certain << " are certain all the same\n";
+  std::cout << "of " << tally.rays << " rays " << tally.open
+            << " are uncertain, none is further from "
+            << "its bounds than " << tally.furthest << ", " << tally.rough
+            << " are rounded more than usual; of " << tally.tiles << " tiles " << tally.certain
+            << " are certain all the same\n";
   if (only < 0)
   {
     EXPECT_GT(tally.open, tally.rays / 100);
     EXPECT_GT(tally.tiles, 50u);
     EXPECT_GT(tally.certain, 0u);
+    EXPECT_LT(tally.rough, tally.rays / 1000);
   }
 }
