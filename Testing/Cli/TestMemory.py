@@ -2,6 +2,7 @@
 """reliefshade on heights that do not fit into the memory it may take: the same pictures, from runs that
 are stopped, too, and from several processes."""
 
+import array
 import os
 import random
 import shutil
@@ -289,6 +290,87 @@ class Errors(Memory):
     def test_what_fits_is_no_run_of_pieces(self):
         self.good("a.tif", "o.tif", "--memory", "1G")
         self.assertFalse(os.path.exists(self.path("a.tif.bounds.tif")))
+
+
+class Beyond(Memory):
+    """Runs that even small pieces have too many heights for."""
+
+    LOW = ("--sun", "300,1.5", "--layers", "illumination")
+    LITTLE = ("--memory", "5M")
+    BOUNDS = ("--beyond-memory", "bounds")
+
+    def statistics_(self, *words):
+        result = self.run_("a.tif", "tiles.tif", *self.LOW, *self.LITTLE, *self.BOUNDS, "--statistics", *words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return dict(line.split(": ", 1) for line in result.stdout.splitlines()), result.stderr
+
+    def values(self, name):
+        subprocess.run(["gdal_translate", "-q", "-of", "ENVI", name, name + ".raw"], cwd=self.folder, check=True)
+        values = array.array("f")
+        values.frombytes(self.bytes_(name + ".raw"))
+        return values
+
+    def tolerance(self):
+        """The least that the run may have, as it is told."""
+        said = self.bad(1, ["--beyond-memory", "uncertain by", "give --memory"], "a.tif", "tiles.tif", *self.LOW,
+                        *self.LITTLE, *self.BOUNDS, "--tolerance", "0.0001")
+        return said.rsplit("--tolerance ", 1)[1]
+
+    def test_refused_unless_asked_for(self):
+        for words in ((), ("--beyond-memory", "refuse")):
+            self.bad(1, ["--memory", "give at least"], "a.tif", "tiles.tif", *self.LOW, *self.LITTLE, *words)
+        self.bad(2, "--beyond-memory", "a.tif", "tiles.tif", "--beyond-memory", "more")
+        self.bad(1, ["--memory", "none can be left out"], "a.tif", "tiles.tif", *self.LOW, *self.BOUNDS,
+                 "--memory", "1M")
+
+    def test_within_the_tolerance(self):
+        tolerance = self.tolerance()
+        while True:  # other pieces may be more uncertain
+            result = self.run_("a.tif", "tiles.tif", *self.LOW, *self.LITTLE, *self.BOUNDS, "--tolerance", tolerance)
+            if result.returncode == 0:
+                break
+            shutil.rmtree(self.path(PARTS))
+            more = result.stderr.rsplit("--tolerance ", 1)[1].strip()
+            self.assertGreater(float(more), float(tolerance))
+            tolerance = more
+        self.assertIn("bounds only", result.stderr)
+        found, said = self.statistics_("--tolerance", tolerance, "--quiet")
+        self.assertEqual(said, "")
+        taken = float(found["tolerance-taken"])
+        self.assertLessEqual(taken, float(tolerance))
+        self.assertGreater(taken, 0.0)
+        self.assertGreater(int(found["pieces-by-bounds"]), 0)
+        self.good("a.tif", "whole.tif", *self.LOW, "--tolerance", "0")
+        off = [abs(a - b) for a, b in zip(self.values("tiles-illumination.tif"),
+                                          self.values("whole-illumination.tif")) if a == a]
+        self.assertLessEqual(max(off), float(tolerance) + 1e-3)
+        # Threads do not matter, nor whether a run was stopped; and what was told is told again.
+        kept = self.bytes_("tiles.tif"), self.bytes_("tiles-illumination.tif")
+        again, _ = self.statistics_("--tolerance", tolerance, "--threads", "1")
+        self.assertEqual((self.bytes_("tiles.tif"), self.bytes_("tiles-illumination.tif")), kept)
+        self.assertEqual(again["tolerance-taken"], found["tolerance-taken"])
+        process = subprocess.Popen([PROGRAM, "a.tif", "tiles.tif", *self.LOW, *self.LITTLE, *self.BOUNDS,
+                                    "--tolerance", tolerance, "--quiet"], cwd=self.folder)
+        end = time.monotonic() + 300
+        while len(self.pieces()) < 5 and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.001)
+        process.kill()
+        process.wait()
+        self.assertGreaterEqual(len(self.pieces()), 5)
+        # Those pieces are of another memory.
+        self.bad(1, [PARTS, "another run"], "a.tif", "tiles.tif", *self.LOW, *self.BOUNDS, "--tolerance", tolerance,
+                 "--memory", "5200K")
+        resumed, _ = self.statistics_("--tolerance", tolerance)
+        self.assertEqual((self.bytes_("tiles.tif"), self.bytes_("tiles-illumination.tif")), kept)
+        self.assertEqual({k: resumed[k] for k in ("pieces-by-bounds", "tolerance-taken")},
+                         {k: found[k] for k in ("pieces-by-bounds", "tolerance-taken")})
+
+    def test_what_knows_no_tolerance(self):
+        self.bad(1, ["--beyond-memory", "no tolerance", "give --memory"], "a.tif", "tiles.tif", *self.LITTLE,
+                 *self.BOUNDS, "--sun", "300,1.5", "--tolerance", "1", "--layers", "thickness")
+
+    def test_nothing_is_left_out_of_what_fits(self):
+        self.assertSame("--sun", "300,8", *self.BOUNDS)
 
 
 @unittest.skipUnless(shutil.which("mpirun"), "needs mpirun")
