@@ -147,7 +147,7 @@ std::string vtkDepthToHeightField::Implementation::Fit()
 // Finds where the samples are, for which meshes without a frame must be looked at.
 std::string vtkDepthToHeightField::Implementation::Plan(vtkInformationVector* inputs)
 {
-  this->View = relief::hosts::MakeViewAxes(this->Self->ViewDirection, this->Self->ViewUp);
+  this->View = relief::MakeViewAxes(this->Self->ViewDirection, this->Self->ViewUp);
   if (inputs->GetNumberOfInformationObjects() == 0)
   {
     return "there is nothing to look at: set an input of polygons, or a renderer";
@@ -207,19 +207,7 @@ std::string vtkDepthToHeightField::Implementation::Sample(vtkImageData* output)
 {
   const relief::HeightFrame& frame = this->Relative;
   const vtkIdType count = vtkIdType{ frame.columns } * frame.rows;
-  double* points = this->Triangles.points.data();
-  constexpr int atOnce = 65536;
-  const std::size_t last = this->Triangles.points.size() / 3;
-  relief::hosts::ForRows(static_cast<int>((last + atOnce - 1) / atOnce),
-    [&](int begin, int end)
-    {
-      const std::size_t stop = std::min(std::size_t{ atOnce } * end, last);
-      for (std::size_t i = std::size_t{ atOnce } * begin; i < stop; ++i)
-      {
-        points[3 * i] = (points[3 * i] - frame.first[0]) / frame.spacing[0];
-        points[3 * i + 1] = (points[3 * i + 1] - frame.first[1]) / frame.spacing[1];
-      }
-    });
+  relief::MoveToSamples(this->Triangles, frame, relief::hosts::ForRows);
   // They are of no use for another grid.
   this->GatheredFrom.clear();
   std::vector<double> heights(static_cast<std::size_t>(count));

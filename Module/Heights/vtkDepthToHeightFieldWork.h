@@ -34,7 +34,7 @@ public:
   void Forget();
 
   relief::HeightFrame Frame; // of the output, in the view's frame
-  relief::hosts::ViewAxes View;
+  relief::ViewAxes View;
 
 private:
   using Key = std::vector<std::pair<const void*, vtkMTimeType>>;
@@ -53,7 +53,7 @@ private:
   void AddAttributes(vtkImageData* output, const std::vector<std::uint32_t>& triangles);
 
   vtkDepthToHeightField* Self;
-  relief::hosts::MeshTriangles Triangles;
+  relief::hosts::SceneTriangles Triangles;
   relief::HeightFrame Relative; // as Frame, from the triangles' center
   Key GatheredFrom;
 };

@@ -56,7 +56,7 @@ struct Hit
   vtkIdType points[3];
   double weights[3];
 
-  Hit(const MeshTriangles& triangles, std::uint32_t triangle, int column, int row)
+  Hit(const SceneTriangles& triangles, std::uint32_t triangle, int column, int row)
     : part(triangles.FindPart(triangle))
   {
     for (int k = 0; k < 3; ++k)
@@ -109,7 +109,7 @@ void ForHits(const SampledTriangles& samples,
 // The normal of a triangle toward the eye, of length 1.
 void FindFacetNormal(const SampledTriangles& samples, std::uint32_t triangle, double normal[3])
 {
-  const MeshTriangles& triangles = *samples.triangles;
+  const SceneTriangles& triangles = *samples.triangles;
   double edges[2][3];
   for (int e = 0; e < 2; ++e)
   {
@@ -167,7 +167,7 @@ void FillNormals(const SampledTriangles& samples, vtkFloatArray* normals)
 }
 
 //------------------------------------------------------------------------------
-int FindColorComponents(const MeshTriangles& triangles)
+int FindColorComponents(const SceneTriangles& triangles)
 {
   int components = 0;
   for (const MeshPart& part : triangles.parts)

@@ -18,7 +18,7 @@ namespace relief::hosts
 /// triangles are in samples, as TriangleMesh has them.
 struct SampledTriangles
 {
-  const MeshTriangles* triangles = nullptr;
+  const SceneTriangles* triangles = nullptr;
   const std::uint32_t* ofSamples = nullptr;
   int columns = 0;
   int rows = 0;
@@ -30,7 +30,7 @@ struct SampledTriangles
 void FillNormals(const SampledTriangles& samples, vtkFloatArray* normals);
 
 /// How many components colors have, 3 or 4; 0 if no mesh has any.
-int FindColorComponents(const MeshTriangles& triangles);
+int FindColorComponents(const SceneTriangles& triangles);
 
 /// Colors, 0 where there is no triangle, white on meshes without.
 void FillColors(const SampledTriangles& samples, vtkUnsignedCharArray* colors);

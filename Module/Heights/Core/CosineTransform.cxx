@@ -1,82 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CosineTransform.h"
 
-#include "vtk_kissfft.h"
-// clang-format off
-#include VTK_KISSFFT_HEADER(kiss_fft.h)
-// clang-format on
+#include "FourierTransform.h"
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 namespace relief
 {
 namespace
 {
 using Complex = std::complex<double>;
-static_assert(sizeof(kiss_fft_cpx) == sizeof(Complex), "the library is to compute with double");
 
-// The library's own transform of a length p takes p^2 steps for a prime p.
+// The transform itself takes p steps for each number and a prime factor p of the length.
 constexpr int LargestPrime = 31;
 
 // Rows that are transformed at once: those of columns share cache lines.
 constexpr int LinesAtOnce = 8;
-
-int LargestPrimeFactor(int n)
-{
-  int largest = 1;
-  for (int p = 2; p <= n / p; ++p)
-  {
-    while (n % p == 0)
-    {
-      largest = p;
-      n /= p;
-    }
-  }
-  return std::max(largest, n);
-}
-
-// exp(i pi numerator / denominator), exact to the last digits for large numerators.
-Complex Turn(long long numerator, long long denominator)
-{
-  const double pi = 3.14159265358979323846;
-  const double angle =
-    pi * static_cast<double>(numerator % (2 * denominator)) / static_cast<double>(denominator);
-  return { std::cos(angle), std::sin(angle) };
-}
-
-// std::complex asks each product whether it is NaN.
-Complex Times(const Complex& a, const Complex& b)
-{
-  return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
-}
-
-struct Free
-{
-  void operator()(void* memory) const { std::free(memory); }
-};
-using Plan = std::unique_ptr<kiss_fft_state, Free>;
-
-Plan MakePlan(int length, bool backward)
-{
-  Plan plan(kiss_fft_alloc(length, backward, nullptr, nullptr));
-  if (!plan)
-  {
-    throw std::bad_alloc();
-  }
-  return plan;
-}
-
-void Run(const Plan& plan, const Complex* from, Complex* to)
-{
-  // A std::complex is laid out as two numbers.
-  kiss_fft(
-    plan.get(), reinterpret_cast<const kiss_fft_cpx*>(from), reinterpret_cast<kiss_fft_cpx*>(to));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -89,10 +30,10 @@ public:
   // Room that a thread needs.
   struct Room
   {
-    std::vector<Complex> from;
-    std::vector<Complex> to;
+    std::vector<Complex> values;
+    std::vector<Complex> other;
     std::vector<Complex> padded;
-    std::vector<Complex> product;
+    std::vector<Complex> otherPadded;
   };
   Room MakeRoom() const;
 
@@ -105,8 +46,8 @@ private:
 
   int Length;
   std::vector<Complex> Quarter; // exp(-i pi k / 2N)
-  Plan Forth;
-  Plan Back;
+  FourierTransform Forth;
+  FourierTransform Back;
   // By convolution only.
   int Padded = 0;
   std::vector<Complex> Chirp;
@@ -120,28 +61,28 @@ CosineTransform::Line::Line(int length)
 {
   for (int k = 0; k < length; ++k)
   {
-    this->Quarter[k] = std::conj(Turn(k, 2LL * length));
+    this->Quarter[k] = std::conj(TurnedBy(k, 2LL * length));
   }
-  if (LargestPrimeFactor(length) <= LargestPrime)
+  const bool padded = FourierTransform::LargestPrimeFactor(length) > LargestPrime;
+  this->Padded = padded ? FourierTransform::FastLength(2 * length - 1) : 0;
+  this->Forth = FourierTransform(padded ? this->Padded : length, false);
+  this->Back = FourierTransform(padded ? this->Padded : length, true);
+  if (!padded)
   {
-    this->Forth = MakePlan(length, false);
-    this->Back = MakePlan(length, true);
     return;
   }
-  this->Padded = kiss_fft_next_fast_size(2 * length - 1);
-  this->Forth = MakePlan(this->Padded, false);
-  this->Back = MakePlan(this->Padded, true);
   this->Chirp.resize(static_cast<std::size_t>(length));
-  std::vector<Complex> filter(static_cast<std::size_t>(this->Padded));
+  std::vector<Complex>& filter = this->Filter;
+  filter.resize(static_cast<std::size_t>(this->Padded));
   for (long long k = 0; k < length; ++k)
   {
-    this->Chirp[k] = std::conj(Turn(k * k, length));
+    this->Chirp[k] = std::conj(TurnedBy(k * k, length));
     filter[k] = std::conj(this->Chirp[k]);
     filter[k == 0 ? 0 : this->Padded - k] = filter[k];
   }
-  this->Filter.resize(filter.size());
-  Run(this->Forth, filter.data(), this->Filter.data());
-  for (Complex& value : this->Filter)
+  std::vector<Complex> other(filter.size());
+  this->Forth.Run(filter, other);
+  for (Complex& value : filter)
   {
     value /= this->Padded;
   }
@@ -151,10 +92,10 @@ CosineTransform::Line::Line(int length)
 CosineTransform::Line::Room CosineTransform::Line::MakeRoom() const
 {
   Room room;
-  room.from.resize(static_cast<std::size_t>(this->Length));
-  room.to.resize(static_cast<std::size_t>(this->Length));
+  room.values.resize(static_cast<std::size_t>(this->Length));
+  room.other.resize(static_cast<std::size_t>(this->Length));
   room.padded.resize(static_cast<std::size_t>(this->Padded));
-  room.product.resize(static_cast<std::size_t>(this->Padded));
+  room.otherPadded.resize(static_cast<std::size_t>(this->Padded));
   return room;
 }
 
@@ -163,7 +104,7 @@ void CosineTransform::Line::Fourier(Room& room, bool backward) const
 {
   if (this->Padded == 0)
   {
-    Run(backward ? this->Back : this->Forth, room.from.data(), room.to.data());
+    (backward ? this->Back : this->Forth).Run(room.values, room.other);
     return;
   }
   // The transform back is the one forth of conjugates.
@@ -171,17 +112,17 @@ void CosineTransform::Line::Fourier(Room& room, bool backward) const
   std::fill(room.padded.begin() + this->Length, room.padded.end(), Complex());
   for (int k = 0; k < this->Length; ++k)
   {
-    room.padded[k] = Times(turned(room.from[k]), this->Chirp[k]);
+    room.padded[k] = Times(turned(room.values[k]), this->Chirp[k]);
   }
-  Run(this->Forth, room.padded.data(), room.product.data());
+  this->Forth.Run(room.padded, room.otherPadded);
   for (int k = 0; k < this->Padded; ++k)
   {
-    room.product[k] = Times(room.product[k], this->Filter[k]);
+    room.padded[k] = Times(room.padded[k], this->Filter[k]);
   }
-  Run(this->Back, room.product.data(), room.padded.data());
+  this->Back.Run(room.padded, room.otherPadded);
   for (int k = 0; k < this->Length; ++k)
   {
-    room.to[k] = turned(Times(room.padded[k], this->Chirp[k]));
+    room.values[k] = turned(Times(room.padded[k], this->Chirp[k]));
   }
 }
 
@@ -197,13 +138,13 @@ void CosineTransform::Line::Forward(double* a, double* b, Room& room) const
   {
     // Even places forth, odd ones back.
     const int at = k % 2 == 0 ? k / 2 : n - 1 - k / 2;
-    room.from[at] = Complex(a[k], b ? b[k] : 0.0);
+    room.values[at] = Complex(a[k], b ? b[k] : 0.0);
   }
   this->Fourier(room, false);
   for (int k = 0; k < n; ++k)
   {
-    const Complex here = room.to[k];
-    const Complex mirrored = std::conj(room.to[k == 0 ? 0 : n - k]);
+    const Complex here = room.values[k];
+    const Complex mirrored = std::conj(room.values[k == 0 ? 0 : n - k]);
     const Complex first = 0.5 * (here + mirrored);
     const Complex second(0.5 * (here - mirrored).imag(), -0.5 * (here - mirrored).real());
     a[k] = Times(this->Quarter[k], first).real();
@@ -226,17 +167,17 @@ void CosineTransform::Line::Backward(double* a, double* b, Room& room) const
   {
     const Complex first(a[k], k == 0 ? 0.0 : -a[n - k]);
     const Complex second = b ? Complex(b[k], k == 0 ? 0.0 : -b[n - k]) : Complex();
-    room.from[k] = Times(std::conj(this->Quarter[k]),
+    room.values[k] = Times(std::conj(this->Quarter[k]),
       Complex(first.real() - second.imag(), first.imag() + second.real()));
   }
   this->Fourier(room, true);
   for (int k = 0; k < n; ++k)
   {
     const int at = k % 2 == 0 ? k / 2 : n - 1 - k / 2;
-    a[k] = room.to[at].real() / n;
+    a[k] = room.values[at].real() / n;
     if (b)
     {
-      b[k] = room.to[at].imag() / n;
+      b[k] = room.values[at].imag() / n;
     }
   }
 }
