@@ -7,6 +7,8 @@
 /// another library passes, long steps that can be ended, and the memory that the machine has. Not
 /// installed.
 
+#include "ShortText.h"
+
 #include "vtkType.h" // For vtkTypeInt64
 
 #include <cstddef>
@@ -57,10 +59,6 @@ std::string Brief(const std::string& message, std::size_t longest = 200);
 /// A library's text as part of a sentence: several lines become one, brief, and the full stop goes.
 /// Where there is no text, that is said.
 std::string OneLine(const std::string& text);
-
-/// A name or a word of a file as a message shows it: of a long one the beginning and the end, about
-/// as many bytes as given.
-std::string Shortened(const std::string& text, std::size_t longest = 64);
 
 /// How much of a file's name a message shows.
 constexpr std::size_t LongestName = 100;

@@ -12,12 +12,10 @@
 #include "vtkReliefSetters.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "BilateralIntegration.h"
 #include "HeightInputs.h"
 #include "ImageFrame.h"
-#include "NormalIntegration.h"
+#include "NormalHeights.h"
 #include "NormalMap.h"
-#include "PathSums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +24,8 @@
 #include <limits>
 #include <new>
 #include <sstream>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkNormalMapToHeightField);
@@ -429,60 +427,10 @@ relief::NormalCamera vtkNormalMapToHeightField::MakeCamera(const int* dimensions
 }
 
 //------------------------------------------------------------------------------
-// Normals whose green points up, of those that face the camera.
-relief::NormalMap vtkNormalMapToHeightField::ReadMap(
-  const Inputs& inputs, const relief::NormalIntegration& integration)
+relief::NormalRequest vtkNormalMapToHeightField::MakeRequest(const Inputs& inputs)
 {
-  const relief::NormalCamera& camera = integration.camera;
-  relief::NormalMap map = Read(inputs.normals, inputs.image->GetDimensions(), this->Encoding,
-    this->ZeroCode, ReadOne(inputs.mask), ReadOne(inputs.weights), camera);
-  this->UsedEncoding = map.encoding == relief::NormalEncoding::Unsigned ? Unsigned : Signed;
-  this->UsedGreen = this->Green;
-  this->GreenKnown = true;
-  if (this->Green == AutomaticGreen)
-  {
-    const relief::GreenAxis green =
-      relief::FindGreenAxis(map, camera, integration.spacing, relief::hosts::ForRows);
-    this->UsedGreen = green == relief::GreenAxis::Down ? Down : Up;
-    this->GreenKnown = green != relief::GreenAxis::Automatic;
-  }
-  if (this->UsedGreen == Down)
-  {
-    relief::TurnGreen(map);
-  }
-  relief::FaceCamera(map, camera, relief::hosts::ForRows);
-  return map;
-}
-
-//------------------------------------------------------------------------------
-// Throws a std::range_error for heights that no surface with such normals has: the steepest that is
-// of use rises by 1000 times the distance of two samples. Of depths the logarithm must be a number.
-void vtkNormalMapToHeightField::CheckRange(const relief::NormalMap& map,
-  const relief::NormalIntegration& integration, const std::vector<double>& heights)
-{
-  const double size = integration.spacing[0] * map.columns + integration.spacing[1] * map.rows;
-  const double most = integration.camera.perspective ? 700.0 : 1e6 * size;
-  for (double height : heights)
-  {
-    // NaN is no data.
-    if (std::abs(height) > most)
-    {
-      std::ostringstream message;
-      message << "the heights of these normals grow beyond all bounds at the Smoothness "
-              << this->Smoothness << "; lower it, or take the method LeastSquares";
-      throw std::range_error(message.str());
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// Whether heights were found: not if an observer ended the work.
-bool vtkNormalMapToHeightField::Integrate(const Inputs& inputs, vtkDataArray* result)
-{
-  using relief::hosts::ForRows;
-  const double* spacing = inputs.image->GetSpacing();
-  const double unit = std::min(std::abs(spacing[0]), std::abs(spacing[1]));
-  relief::NormalIntegration integration;
+  relief::NormalRequest request;
+  relief::NormalIntegration& integration = request.integration;
   integration.camera = this->MakeCamera(inputs.image->GetDimensions());
   integration.limits.tolerance = this->Tolerance;
   // A second solver begins anew.
@@ -492,49 +440,58 @@ bool vtkNormalMapToHeightField::Integrate(const Inputs& inputs, vtkDataArray* re
     this->UpdateProgress(most);
     return !vtkReliefIsAborted(this);
   };
-  const bool perspective = integration.camera.perspective;
-  for (int axis = 0; axis < 2 && !perspective; ++axis)
+  if (!integration.camera.perspective)
   {
-    integration.spacing[axis] = std::abs(spacing[axis]) / unit;
+    relief::ScaleSpacing(inputs.image->GetSpacing(), integration.spacing);
   }
-  const relief::NormalMap map = this->ReadMap(inputs, integration);
+  request.green = static_cast<relief::GreenAxis>(this->Green);
+  request.method = static_cast<relief::NormalMethod>(this->Method);
+  request.bilateral.smoothness = this->Smoothness;
+  request.bilateral.tolerance = this->EnergyTolerance;
+  request.bilateral.maximumIterations = this->MaximumIterations;
+  request.datum = this->Datum == Minimum && !integration.camera.perspective
+    ? relief::HeightDatum::Minimum
+    : relief::HeightDatum::Mean;
+  return request;
+}
 
-  relief::SolverEnd end;
-  std::vector<double> heights;
-  if (this->Method == PathSums)
+//------------------------------------------------------------------------------
+// Whether heights were found: not if an observer ended the work. `wrong`: why there are none.
+bool vtkNormalMapToHeightField::Integrate(
+  const Inputs& inputs, vtkDataArray* result, std::string& wrong)
+{
+  const relief::NormalRequest request = this->MakeRequest(inputs);
+  const bool perspective = request.integration.camera.perspective;
+  relief::NormalMap map = Read(inputs.normals, inputs.image->GetDimensions(), this->Encoding,
+    this->ZeroCode, ReadOne(inputs.mask), ReadOne(inputs.weights), request.integration.camera);
+  this->UsedEncoding = map.encoding == relief::NormalEncoding::Unsigned ? Unsigned : Signed;
+  relief::NormalHeights found;
+  wrong = relief::FindNormalHeights(std::move(map), request, relief::hosts::ForRows, found);
+  this->UsedGreen = static_cast<int>(found.green);
+  this->GreenKnown = found.greenKnown;
+  if (!wrong.empty())
   {
-    heights = relief::SumPaths(map, integration, ForRows);
-    end.converged = true;
+    std::ostringstream message;
+    message << wrong << " at the Smoothness " << this->Smoothness
+            << "; lower it, or take the method LeastSquares";
+    wrong = message.str();
+    return false;
   }
-  else if (this->Method == DiscontinuityPreserving)
-  {
-    relief::BilateralWeights weights;
-    weights.smoothness = this->Smoothness;
-    weights.tolerance = this->EnergyTolerance;
-    weights.maximumIterations = this->MaximumIterations;
-    heights = relief::IntegrateBilaterally(map, integration, weights, ForRows, end);
-  }
-  else
-  {
-    heights = relief::IntegrateNormals(map, integration, ForRows, end);
-  }
-  if (end.stopped)
+  if (found.end.stopped)
   {
     return false;
   }
-  this->CheckRange(map, integration, heights);
-  const bool fromMinimum = this->Datum == Minimum && !perspective;
-  this->NumberOfParts = relief::LevelHeights(
-    map, fromMinimum ? relief::HeightDatum::Minimum : relief::HeightDatum::Mean, heights);
-  this->NumberOfIterations = end.iterations;
-  this->Converged = end.converged;
+  this->NumberOfParts = found.parts;
+  this->NumberOfIterations = found.end.iterations;
+  this->Converged = found.end.converged;
   if (perspective)
   {
-    WriteDepths(heights, this->Distance, result);
+    WriteDepths(found.heights, this->Distance, result);
   }
   else
   {
-    WriteHeights(heights, unit, result);
+    double scaled[2];
+    WriteHeights(found.heights, relief::ScaleSpacing(inputs.image->GetSpacing(), scaled), result);
   }
   return true;
 }
@@ -559,7 +516,7 @@ int vtkNormalMapToHeightField::RequestData(
       output->AllocateScalars(OutputType(given.normals->GetDataType()), 1);
       vtkDataArray* result = output->GetPointData()->GetScalars();
       result->SetName("Height");
-      if (this->Integrate(given, result))
+      if (this->Integrate(given, result, wrong))
       {
         output->GetFieldData()->PassData(given.image->GetFieldData());
       }
@@ -572,10 +529,6 @@ int vtkNormalMapToHeightField::RequestData(
   catch (const std::bad_alloc&)
   {
     wrong = "there is not enough memory to integrate the normals";
-  }
-  catch (const std::range_error& beyond)
-  {
-    wrong = beyond.what();
   }
   if (!wrong.empty())
   {

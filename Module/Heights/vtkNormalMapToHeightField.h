@@ -43,8 +43,7 @@
 namespace relief
 {
 struct NormalCamera;
-struct NormalIntegration;
-struct NormalMap;
+struct NormalRequest;
 }
 
 class VTKFILTERSRELIEFSHADING_EXPORT vtkNormalMapToHeightField : public vtkImageAlgorithm
@@ -309,10 +308,8 @@ private:
   struct Inputs;
   std::string Check(const Inputs& inputs) const;
   relief::NormalCamera MakeCamera(const int* dimensions) const;
-  relief::NormalMap ReadMap(const Inputs& inputs, const relief::NormalIntegration& integration);
-  bool Integrate(const Inputs& inputs, vtkDataArray* result);
-  void CheckRange(const relief::NormalMap& map, const relief::NormalIntegration& integration,
-    const std::vector<double>& heights);
+  relief::NormalRequest MakeRequest(const Inputs& inputs);
+  bool Integrate(const Inputs& inputs, vtkDataArray* result, std::string& wrong);
 };
 
 #endif

@@ -11,11 +11,11 @@ namespace relief
 struct FrameRequest
 {
   double bounds[4] = { 0, 0, 0, 0 }; ///< of what lies there: x from, to, y from, to
-  double margin = 0.0;               ///< free around the bounds, as a part of their longer side
+  double margin = 0.02;              ///< free around the bounds, as a part of their longer side
   bool hasFrame = false;             ///< whether `frame` counts instead of bounds and margin
   double frame[4] = { 0, 0, 0, 0 };  ///< as bounds are
   int dimensions[2] = { 0, 0 };      ///< samples along x and y, 0 for what resolution makes
-  int resolution = 1;                ///< samples along the longer side
+  int resolution = 1024;             ///< samples along the longer side
 };
 
 /// Samples at the centers of the cells that a frame is divided into.

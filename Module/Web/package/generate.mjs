@@ -129,7 +129,9 @@ function makePackage(table, folder, version, readme, license) {
   );
   write("index.d.ts", makeTypes(table));
   const scripts = [
+    "heights.js",
     "index.js",
+    "load.js",
     "module.js",
     "options.js",
     "plan.js",
@@ -153,14 +155,15 @@ function makePackage(table, folder, version, readme, license) {
     exports: {
       ".": { types: "./index.d.ts", default: "./index.js" },
       "./parameters.json": "./parameters.json",
+      "./reliefheights.wasm": "./reliefheights.wasm",
       "./reliefshading.wasm": "./reliefshading.wasm",
       "./package.json": "./package.json",
     },
     types: "./index.d.ts",
-    files: [...files, "reliefshading.wasm"],
+    files: [...files, "reliefheights.wasm", "reliefshading.wasm"],
     sideEffects: false,
     engines: { node: ">=18" },
-    keywords: ["relief", "hillshade", "terrain", "dem", "shading", "webassembly"],
+    keywords: ["relief", "hillshade", "terrain", "dem", "shading", "normal-map", "heightmap", "webassembly"],
   };
   write("package.json", JSON.stringify(description, null, 2) + "\n");
 }

@@ -15,6 +15,7 @@ import {
 import { presetOptions as optionsOf, readField, readRun, readSurroundings } from "./options.js";
 import { sceneFromText, sceneToText } from "./scene.js";
 
+export { heightsOfMesh, heightsOfNormals } from "./heights.js";
 export { parameters, usual, version } from "./parameters.js";
 export { planScene } from "./plan.js";
 export { createWorkerShader } from "./shader.js";

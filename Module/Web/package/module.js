@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The WebAssembly: brought in once, and called with a description of a run (options.js). Nothing is
-// checked here.
+// The WebAssembly that shades, called with a description of a run (options.js). Nothing is checked here.
+
+import { need, rowsFrom, WebModule } from "./load.js";
 
 /** As ArrayType of WebHeights.h numbers them. */
 const arrayTypes = [
@@ -44,104 +45,11 @@ export const presetNames = ["multidirectional", "sky-dome", "sun-and-sky", "comb
 const presetSkies = ["none", "whiteDome", "clearSky"];
 const skyNumbers = { none: 0, file: 0, whiteDome: 1, clearSky: 2, picture: 3 };
 
-let compiled; // a promise of the compiled module
-let instance; // of it; none after one that ended in the middle of a run
-
-async function compile() {
-  const url = new URL("./reliefshading.wasm", import.meta.url);
-  if (url.protocol === "file:" && typeof process === "object" && process.versions?.node) {
-    // Named by a variable, so that tools that bundle for browsers leave it alone.
-    const files = "node:fs/promises";
-    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
-    return WebAssembly.compile(await readFile(url));
-  }
-  const response = await fetch(url);
-  if (!response.ok) {
-    throw new Error(
-      `reliefshading.wasm cannot be loaded: ${response.status} ${response.statusText} (${url})`,
-    );
-  }
-  // Not as a stream, which needs a server that knows the type of the file.
-  return WebAssembly.compile(await response.arrayBuffer());
-}
+const module = new WebModule(new URL("./reliefshading.wasm", import.meta.url));
+const using = (body) => module.using(body);
 
 /** Loads what is needed; later calls find it there. */
-export async function load() {
-  compiled ??= compile().catch((error) => {
-    compiled = undefined; // so that it may be tried again
-    throw error;
-  });
-  const module = await compiled;
-  if (!instance) {
-    const nothing = () => 0;
-    // What the C library asks of a system: there is none.
-    const imports = {};
-    for (const { module: space, name } of WebAssembly.Module.imports(module)) {
-      (imports[space] ??= {})[name] = nothing;
-    }
-    const created = await WebAssembly.instantiate(module, imports);
-    instance ??= created.exports;
-    if (created.exports === instance) {
-      instance._initialize?.();
-    }
-  }
-  return instance;
-}
-
-//--------------------------------------------------------------------------------------------------
-// Calls body(wasm, put), where put copies an array into the module's memory and returns its
-// address. What ends the module in the middle becomes an error, and the next run gets a new one.
-async function using(body) {
-  let wasm = await load();
-  while (wasm !== instance) {
-    wasm = await load(); // another run has ended it meanwhile
-  }
-  const taken = [];
-  const put = (array) => {
-    const address = array.byteLength < 2 ** 32 ? wasm.reliefAllocate(array.byteLength) >>> 0 : 0;
-    if (address === 0) {
-      throw new RangeError("there is not enough memory for the run");
-    }
-    taken.push(address);
-    new Uint8Array(wasm.memory.buffer, address, array.byteLength).set(
-      new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
-    );
-    return address;
-  };
-  try {
-    wasm.reliefBegin();
-    return body(wasm, put);
-  } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) {
-      instance = undefined;
-      throw wasm.reliefIsOutOfMemory() !== 0
-        ? new RangeError("there is not enough memory for the run", { cause: error })
-        : error;
-    }
-    throw error;
-  } finally {
-    if (wasm === instance) {
-      wasm.reliefEnd();
-      taken.forEach((address) => wasm.reliefFree(address));
-    }
-  }
-}
-
-function textAt(wasm, address) {
-  const bytes = new Uint8Array(wasm.memory.buffer, address >>> 0);
-  return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
-}
-
-// Rows of the module run from south to north.
-function rowsFrom(wasm, address, Type, width, height, size) {
-  const row = width * size;
-  const result = new Type(row * height);
-  const from = new Type(wasm.memory.buffer, address >>> 0, row * height);
-  for (let j = 0; j < height; ++j) {
-    result.set(from.subarray((height - 1 - j) * row, (height - j) * row), j * row);
-  }
-  return result;
-}
+export const load = () => module.load();
 
 function setHeights(wasm, put, run) {
   const type = arrayTypes.findIndex((Type) => run.heights instanceof Type);
@@ -267,13 +175,6 @@ function setScene(wasm, put, run) {
   }
   for (const [name, texture] of Object.entries(run.textures)) {
     wasm.reliefTexture(1 + layerNames.indexOf(name), ...picture(put, texture));
-  }
-}
-
-function need(wasm, wrong) {
-  const text = textAt(wasm, wrong);
-  if (text !== "") {
-    throw new RangeError(text);
   }
 }
 

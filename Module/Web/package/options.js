@@ -160,7 +160,7 @@ function readPicture(name, value) {
 // WebAssembly has room for so many, with a picture of floats.
 const mostSamples = 2 ** 27;
 
-function checkSize(name, width, height) {
+export function checkSize(name, width, height) {
   for (const [key, size] of Object.entries({ width, height })) {
     const path = name === "" ? key : `${name}.${key}`;
     needNumber(path, size, "a whole number is");
@@ -347,7 +347,7 @@ function readHeights(heights, width, height) {
   return array;
 }
 
-function readMask(mask, samples) {
+export function readMask(mask, samples) {
   if (mask === undefined || mask === null) {
     return null;
   }
@@ -362,7 +362,7 @@ function readMask(mask, samples) {
   return mask instanceof Uint8Array ? mask : Uint8Array.from(mask, (value) => (Number(value) ? 1 : 0));
 }
 
-function readSpacing(spacing) {
+export function readSpacing(spacing) {
   const pair = typeof spacing === "number" ? [spacing, spacing] : spacing;
   const good = (Array.isArray(pair) || ArrayBuffer.isView(pair)) && pair.length === 2;
   if (!good || ![pair[0], pair[1]].every((size) => typeof size === "number")) {

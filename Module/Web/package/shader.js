@@ -125,6 +125,9 @@ export function createWorkerShader(how = {}) {
     async shade(heights, options = {}, transfer) {
       return joinBands(await callAll(threads, { what: "shade", heights, options }, transfer));
     },
+    heightsOfMesh: (mesh, options = {}) => callOne({ what: "heightsOfMesh", heights: mesh, options }),
+    heightsOfNormals: (normals, options = {}) =>
+      callOne({ what: "heightsOfNormals", heights: normals, options }),
     fitHeightScale: (heights, options = {}, transfer) =>
       callOne({ what: "fitHeightScale", heights, options }, transfer),
     findExposure: (heights, options = {}, transfer) =>

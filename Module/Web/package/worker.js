@@ -2,6 +2,7 @@
 //
 // What shader.js starts: answers one call after the other. Results are handed over, not copied.
 
+import { heightsOfMesh, heightsOfNormals } from "./heights.js";
 import { exposureOf, fitScale, load, presetLights, shadeRun } from "./module.js";
 import { readField, readRun } from "./options.js";
 
@@ -11,15 +12,17 @@ const answers = {
   findExposure: async (heights, options) =>
     exposureOf(await readRun(heights, options, { presetLights, fitScale })),
   fitHeightScale: (heights, options) => fitScale(readField(heights, options)),
+  heightsOfMesh,
+  heightsOfNormals,
 };
 
 async function answer({ call, what, heights, options, band }) {
   try {
     const result = await answers[what](heights, options, band);
-    const arrays = result.data ? [result.data, ...Object.values(result.layers)] : [];
+    const arrays = [result.data, result.heights, ...Object.values(result.layers ?? {})];
     self.postMessage(
       { call, result },
-      arrays.map((array) => array.buffer),
+      arrays.filter((array) => array).map((array) => array.buffer),
     );
   } catch (error) {
     self.postMessage({ call, error: { name: error.name, message: error.message } });

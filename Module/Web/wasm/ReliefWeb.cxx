@@ -5,6 +5,7 @@
 /// that is given was checked by options.js, and stays where it is until the run ends. Texts are
 /// UTF-8 and end with 0; an empty one says that all is well.
 
+#include "WebMemory.h"
 #include "WebPlan.h"
 
 #include "Angles.h"
@@ -14,13 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
-
-#define RELIEF_EXPORT extern "C" __attribute__((used, visibility("default")))
 
 namespace
 {
@@ -74,7 +71,6 @@ struct Run
 };
 
 std::unique_ptr<Run> TheRun;
-bool OutOfMemory = false;
 
 Target MakeTarget(Run& run)
 {
@@ -204,30 +200,9 @@ RELIEF_EXPORT int reliefModelVersion()
   return relief::ModelVersion;
 }
 
-RELIEF_EXPORT void* reliefAllocate(std::size_t bytes)
-{
-  return std::malloc(std::max<std::size_t>(bytes, 1));
-}
-
-RELIEF_EXPORT void reliefFree(void* memory)
-{
-  std::free(memory);
-}
-
-// Whether what ended a call was that there is no more memory; the module is of no use then.
-RELIEF_EXPORT int reliefIsOutOfMemory()
-{
-  return OutOfMemory ? 1 : 0;
-}
-
 RELIEF_EXPORT void reliefBegin()
 {
-  std::set_new_handler(
-    []
-    {
-      OutOfMemory = true;
-      __builtin_trap();
-    });
+  EndWithoutMemory();
   TheRun = std::make_unique<Run>();
 }
 
