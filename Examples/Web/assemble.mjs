@@ -30,6 +30,8 @@ const pageFiles = [
   "offline.js",
   "history.js",
   "scene.js",
+  "source-section.js",
+  "sources.js",
   "geodesy.js",
   "hdr.js",
   "files.js",
@@ -267,7 +269,7 @@ function listForOffline() {
     }
   };
   walk("");
-  const seldom = /^libraries\/three\/|\.(ts|json|md|txt)$|LICENSE$|^offline\.js$/;
+  const seldom = /^libraries\/three\/|reliefheights\.wasm$|\.(ts|json|md|txt)$|LICENSE$|^offline\.js$/;
   const kept = names.filter((name) => !seldom.test(name) || name === "examples/examples.json");
   const text = readFileSync(file, "utf8")
     .replace('const build = ""; // filled in', `const build = "${hash.digest("hex").slice(0, 16)}";`)

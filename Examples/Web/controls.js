@@ -117,6 +117,15 @@ export function select({ label, title, options, onChange }) {
   return { element, list, fill, show: (value) => (list.value = value) };
 }
 
+/** A line of text, told when it was changed. */
+export function text({ label, title, onChange }) {
+  const id = newId();
+  const input = make("input", { type: "text", id, title });
+  input.addEventListener("change", () => onChange(input.value));
+  input.classList.add("wide");
+  return { element: row(label, id, title, input), input, show: (value) => (input.value = value) };
+}
+
 export function radios({ label, options, onChange }) {
   const name = newId();
   const group = wide();

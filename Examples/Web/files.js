@@ -44,8 +44,8 @@ export function callFiles(message, transfer = []) {
   });
 }
 
-/** Opens a File as "heights", "picture" or "mask". */
-export async function openFile(file, what) {
+/** Opens a File as "heights", "picture" or "mask"; heights in one of the ways of sources.js. */
+export async function openFile(file, what, how) {
   if (file.size > mostBytes) {
     throw new Error(`“${file.name}” cannot be opened: it is larger than 1 GB.`);
   }
@@ -55,7 +55,7 @@ export async function openFile(file, what) {
   } catch {
     throw new Error(`“${file.name}” cannot be opened: it cannot be read from where it is.`);
   }
-  return { name: file.name, ...(await callFiles({ what, name: file.name, buffer }, [buffer])) };
+  return { name: file.name, ...(await callFiles({ what, name: file.name, buffer, how }, [buffer])) };
 }
 
 export function download(name, content, type) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Reads and writes files away from the page: heights and pictures from PNG, TIFF, OpenEXR and Radiance's by
-// libraries, from all else by the browser; pictures as PNG.
+// libraries, from all else by the browser, heights of meshes and of normals by the package; pictures as PNG.
 
 import { metresOfDegree } from "./geodesy.js";
 import { isExr, isRadiance, readExr, readRadiance } from "./hdr.js";
 import { convertIndexedToRgb, decode, encode } from "./libraries/fast-png/index.js";
+import { isMesh, looksLikeNormals, usualReading, usualView } from "./sources.js";
 
 const most = 2 ** 26; // samples
 
@@ -122,6 +123,52 @@ function toHeights({ data, width, height, channels, nodata, ...rest }) {
   return { heights, width, height, lengths: false, spacing: [1, 1], origin: [0, 0], ...pick(rest) };
 }
 
+// What the package says is wrong with a file, by its name.
+async function found(name, make) {
+  const { heightsOfMesh, heightsOfNormals } = await import("./reliefshading/heights.js");
+  try {
+    return await make(heightsOfMesh, heightsOfNormals);
+  } catch (error) {
+    throw new Refusal(`“${name}” cannot be opened: ${error.message.replace(/^(mesh|normals): /, "")}.`);
+  }
+}
+
+async function meshHeights(name, buffer, how) {
+  const { direction: viewDirection, up: viewUp, resolution } = how;
+  const { heights, width, height, spacing, warnings } = await found(name, (heightsOfMesh) =>
+    heightsOfMesh(buffer, { viewDirection, viewUp, resolution }),
+  );
+  const source = { kind: "mesh", how };
+  // As reliefshade counts, from the south-western sample.
+  return { heights, width, height, spacing, origin: [0, 0], lengths: true, source, warnings };
+}
+
+async function normalHeights(name, { data, width, height }, how) {
+  const { green, method } = how;
+  const { heights, spacing, warnings } = await found(name, (_, heightsOfNormals) =>
+    heightsOfNormals({ data, width, height }, { green, method }),
+  );
+  return { heights, width, height, spacing, origin: [0, 0], lengths: true, warnings };
+}
+
+// In one of the ways of sources.js.
+async function readHeights({ name, buffer, how }) {
+  if (isMesh(name)) {
+    return meshHeights(name, buffer, { ...usualView, ...how });
+  }
+  const picture = await read(name, buffer);
+  if (picture.channels < 3 || picture.channels > 4 || picture.lengths) {
+    return toHeights(picture);
+  }
+  const looks = how?.as === undefined && looksLikeNormals(picture);
+  const way = { ...usualReading, ...(looks ? { as: "normals" } : {}), ...how };
+  const field = await (way.as === "normals" ? normalHeights(name, picture, way) : toHeights(picture));
+  const told = looks
+    ? [`“${name}” looks like a picture of normals and is read as one; under Heights it can be read by its brightness.`]
+    : [];
+  return { ...field, source: { kind: "picture", how: way }, warnings: [...told, ...(field.warnings ?? [])] };
+}
+
 const pick = ({ lengths, spacing, origin }) => (lengths ? { lengths, spacing, origin } : {});
 
 const pictureTypes = [Uint8Array, Uint8ClampedArray, Uint16Array, Float32Array];
@@ -177,7 +224,7 @@ function writePng({ data, width, height }) {
 }
 
 const answers = {
-  heights: async ({ name, buffer }) => toHeights(await read(name, buffer)),
+  heights: readHeights,
   picture: async ({ name, buffer }) => toPicture(await read(name, buffer)),
   mask: async ({ name, buffer }) => toMask(await read(name, buffer)),
   png: ({ picture }) => ({ data: writePng(picture) }),

@@ -49,6 +49,24 @@ export function moveLight(light, [u, v], field, scene) {
   return { ...rest, azimuth: round(azimuth, 6), altitude: round(altitude, 6) };
 }
 
+/**
+ * A scene over a field that was read in another way: lamps stay where they are on the picture and above it.
+ *
+ * @param heightScale   of a field without lengths, or after one
+ */
+export function carriedOver(scene, before, after, heightScale) {
+  const next = before.lengths && after.lengths ? { ...scene } : { ...scene, heightScale };
+  const rise = middleHeight(after, next) - middleHeight(before, scene);
+  next.lights = scene.lights.map((light) => {
+    if (light.kind !== "point") {
+      return light;
+    }
+    const { position } = moveLight(light, placeOfLight(light, before), after, scene);
+    return { ...light, position: [position[0], position[1], round(position[2] + rise, 9)] };
+  });
+  return next;
+}
+
 /** The light raised by steps: a degree for a sun, a hundredth of the relief for a lamp. */
 export function raiseLight(light, steps, field, scene) {
   if (light.kind === "point") {

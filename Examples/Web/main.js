@@ -6,7 +6,7 @@ import { make } from "./controls.js";
 import { callFiles, choose, download, openFile } from "./files.js";
 import { Gestures } from "./gestures.js";
 import { History } from "./history.js";
-import { describe, extentOf, LightDots, middleHeight } from "./lights.js";
+import { carriedOver, describe, extentOf, LightDots, middleHeight } from "./lights.js";
 import { Panel } from "./panel.js";
 import { Picture, workersFor } from "./picture.js";
 import { createWorkerShader, fitHeightScale } from "./reliefshading/index.js";
@@ -25,6 +25,7 @@ import { View } from "./view.js";
 const find = (selector) => document.querySelector(selector);
 const noImages = { base: null, diffuse: null, specular: null, mask: null, environment: null };
 const pictureFiles = ".png,.tif,.tiff,.exr,.hdr,.jpg,.jpeg,.webp,.bmp,image/*";
+const heightFiles = `${pictureFiles},.obj`;
 const mostPixels = 2048; // along a side of the canvas
 
 /** The least and the greatest height. */
@@ -39,11 +40,14 @@ function rangeOf(heights) {
   return { bottom, top };
 }
 
+const sizeOf = ({ width, height, spacing }) => ({ width, height, spacing });
+
 class Page {
   constructor(examples) {
     this.examples = examples;
     this.assets = new Map(); // pixels that were opened, by names that the state has
     this.field = null;
+    this.readings = 0; // of files of heights
     this.turning = false;
     this.history = new History(() => this.update(true));
     const on = {
@@ -78,7 +82,7 @@ class Page {
     list.append(make("option", { value: "", textContent: "Own file", disabled: true }));
     list.addEventListener("change", () => this.guard(() => this.openExample(list.value)));
     find("#open").addEventListener("click", () =>
-      choose(pictureFiles, (file) => this.guard(() => this.open(file, "heights"))),
+      choose(heightFiles, (file) => this.guard(() => this.open(file, "heights"))),
     );
     find("#undo").addEventListener("click", () => this.history.undo());
     find("#redo").addEventListener("click", () => this.history.redo());
@@ -185,8 +189,7 @@ class Page {
   /** Opens a file of heights, or of a picture that the scene has. */
   async open(file, role) {
     if (role === "heights") {
-      const field = await openFile(file, "heights");
-      await this.show({ ...field, example: "" });
+      await this.openHeights(file);
       return;
     }
     const picture = await openFile(file, role === "mask" ? "mask" : "picture");
@@ -206,20 +209,56 @@ class Page {
     this.history.change(next);
   }
 
+  /** Opens heights, in one of the ways of sources.js; over those of the same file the scene stays. */
+  async openHeights(file, how) {
+    const reading = ++this.readings;
+    const { warnings = [], source, ...field } = await openFile(file, "heights", how);
+    if (reading !== this.readings) {
+      return; // another one was wanted meanwhile
+    }
+    const next = { ...field, example: "", source: source ? { ...source, file } : undefined };
+    if (how) {
+      await this.showAgain(next);
+    } else {
+      await this.show(next);
+    }
+    if (warnings.length > 0) {
+      this.alert(warnings.join(" "));
+    }
+  }
+
+  // A field of the same file, with the scene that is there.
+  async showAgain(field) {
+    const { scene, images } = this.state;
+    const heightScale = field.lengths ? 1 : await fitHeightScale(field.heights, sizeOf(field));
+    const next = carriedOver(scene, this.whole, { ...field, ...rangeOf(field.heights) }, heightScale);
+    await this.show(field, next, { ...images, mask: null });
+  }
+
+  /** Reads the file of the heights in another way. */
+  async rereadHeights(values) {
+    const { file, how } = this.whole.source;
+    await this.guard(() => this.openHeights(file, { ...how, ...values }));
+    this.panel.show(); // as it is now, if that could not be
+  }
+
   // Another field, with a scene that suits it.
-  async show(field, scene) {
-    const { heights, width, height, spacing } = field;
+  async show(field, scene, images) {
+    const { heights } = field;
     // Only where it is not told otherwise: it is to be found first.
     const fittedScale = field.lengths
       ? 1
-      : (scene?.heightScale ?? (await fitHeightScale(heights, { width, height, spacing })));
+      : (scene?.heightScale ?? (await fitHeightScale(heights, sizeOf(field))));
+    this.readings += 1;
     this.whole = { ...field, ...rangeOf(heights), fittedScale };
     this.field = this.whole;
     this.shownMask = null;
-    this.assets.clear();
+    if (!images) {
+      this.assets.clear();
+    }
     this.picture.setField(this.field);
     this.view.setField(this.field);
-    this.first = { scene: scene ?? this.usualScene(), selected: 0, images: noImages };
+    this.first = { scene: scene ?? this.usualScene(), selected: 0, images: images ?? noImages };
     this.history.begin(this.first);
     this.ends = null;
     find("#example").value = field.example;

@@ -19,6 +19,7 @@ import {
 import { extentOf, middleHeight, otherKind } from "./lights.js";
 import { presetNames } from "./reliefshading/index.js";
 import { colorToHex, hexToColor, rowOf, usualOf } from "./scene.js";
+import { heightsSection } from "./source-section.js";
 
 const presetHelp = {
   default: "One sun in the north-west",
@@ -38,6 +39,7 @@ export class Panel {
     this.ranges = []; // and those that the field decides the ends of
     form.addEventListener("submit", (event) => event.preventDefault());
     form.append(
+      heightsSection(page, this.shows),
       this.presetSection(),
       this.lightSection(),
       this.reliefSection(),

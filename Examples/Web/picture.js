@@ -23,7 +23,7 @@ function coarser(field, n) {
   }
   const width = Math.ceil(field.width / n);
   const height = Math.ceil(field.height / n);
-  const heights = new Float32Array(width * height);
+  const heights = new field.heights.constructor(width * height);
   for (let j = 0; j < height; ++j) {
     for (let i = 0; i < width; ++i) {
       heights[j * width + i] = field.heights[j * n * field.width + i * n];

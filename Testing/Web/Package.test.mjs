@@ -59,6 +59,8 @@ test("each file that the package needs is in it", () => {
     "index.d.ts",
     "worker.js",
     "parameters.json",
+    "heights.js",
+    "reliefheights.wasm",
     "reliefshading.wasm",
     "README.md",
     "LICENSE",

@@ -13,6 +13,8 @@ export const {
   environmentLights,
   findExposure,
   fitHeightScale,
+  heightsOfMesh,
+  heightsOfNormals,
   init,
   parameters,
   planScene,

@@ -14,6 +14,9 @@ namespace relief::web
 
 namespace
 {
+// Of heights in double precision there is room for these in the addresses of WebAssembly.
+constexpr double MostSamples = 268435456.0;
+
 void Serial(int count, const std::function<void(int, int)>& body)
 {
   body(0, count);
@@ -135,6 +138,12 @@ std::string FindMeshHeights(WebMesh&& mesh, const double direction[3], const dou
   if (!wrong.empty())
   {
     return wrong;
+  }
+  const double samples = 1.0 * result.frame.columns * result.frame.rows;
+  if (samples > MostSamples)
+  {
+    return std::to_string(result.frame.columns) + " x " + std::to_string(result.frame.rows) +
+      " samples are asked for, at most 2^28 are possible here: lower the resolution";
   }
   MoveToSamples(triangles, result.frame, Serial);
   result.heights.resize(

@@ -110,3 +110,46 @@ export function radianceOf(values, [columns, rows])
   }
   return Buffer.concat([head, ...lines]);
 }
+
+// A mesh as text: a bowl upon a slab, of quads, in its own unit, y up.
+export function bowlObj()
+{
+  const [around, along] = [64, 20];
+  const lines = ['# a bowl upon a slab'];
+  for (let j = 0; j <= along; ++j)
+  {
+    for (let i = 0; i < around; ++i)
+    {
+      const [turn, rise] = [(2 * Math.PI * i) / around, (Math.PI / 2) * (j / along)];
+      const radius = 20 * Math.sin(rise) * (1 + 0.08 * Math.cos(6 * turn));
+      lines.push(`v ${radius * Math.cos(turn)} ${20 - 20 * Math.cos(rise)} ${radius * Math.sin(turn)}`);
+    }
+  }
+  for (let j = 0; j < along; ++j)
+  {
+    for (let i = 0; i < around; ++i)
+    {
+      const at = (k, l) => l * around + (k % around) + 1;
+      lines.push(`f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)} ${at(i + 1, j)}`);
+    }
+  }
+  [[-30, -25], [30, -25], [30, 25], [-30, 25]].forEach(([x, z]) => lines.push(`v ${x} -1 ${z}`));
+  lines.push('f -4 -3 -2 -1');
+  return Buffer.from(`${lines.join('\n')}\n`);
+}
+
+// The normals of the hills, steeper, as a picture of 8 bits; green points up or down.
+export function normalPicture(green = 1)
+{
+  const height = hills(900);
+  const at = (i, j) => height[Math.min(Math.max(j, 0), ROWS - 1) * COLUMNS + Math.min(Math.max(i, 0), COLUMNS - 1)] / 30;
+  const data = new Uint8Array(3 * COLUMNS * ROWS);
+  for (let k = 0; k < COLUMNS * ROWS; ++k)
+  {
+    const [i, j] = [k % COLUMNS, Math.floor(k / COLUMNS)];
+    const slope = [(at(i + 1, j) - at(i - 1, j)) / 2, (at(i, j - 1) - at(i, j + 1)) / 2];
+    const length = Math.hypot(...slope, 1);
+    data.set([-slope[0], -green * slope[1], 1].map((c) => Math.round(127.5 * (c / length + 1))), 3 * k);
+  }
+  return png(data, 3, 8);
+}

@@ -147,7 +147,7 @@ export const viewOf = (page) => page.evaluate(() =>
 export const near = (a, b, most) => a.every((c, k) => Math.abs(c - b[k]) <= most);
 
 // What reliefshade makes of the files of heights and of a scene; null where there is no reliefshade.
-export function nativePicture(field, scene)
+export function nativePicture(field, scene, options = [])
 {
   if (!values.reliefshade)
   {
@@ -155,7 +155,7 @@ export function nativePicture(field, scene)
     return null;
   }
   const file = path.join(values.output, `native-${positionals[0]}.png`);
-  const result = spawnSync(values.reliefshade, [field, file, '--scene', scene], { encoding: 'utf8' });
+  const result = spawnSync(values.reliefshade, [field, file, '--scene', scene, ...options], { encoding: 'utf8' });
   assert.equal(result.status, 0, result.stderr);
   return decode(fs.readFileSync(file));
 }
@@ -164,15 +164,16 @@ export function nativePicture(field, scene)
 export function distances(a, b)
 {
   assert.deepEqual([a.width, a.height], [b.width, b.height]);
-  const at = (image, k, c) => image.data[image.channels * k + Math.min(c, image.channels - 1)];
+  // Grey pictures have one colour, with alpha or without.
+  const at = (image, k, c) => image.data[image.channels * k + (image.channels < 3 ? 0 : c)];
   return Uint8Array.from({ length: a.width * a.height }, (_, k) =>
     Math.max(...[0, 1, 2].map((c) => Math.abs(at(a, k, c) - at(b, k, c)))));
 }
 
 // Whether what the page has saved is what reliefshade makes.
-export function compareWithNative(field, scene, saved)
+export function compareWithNative(field, scene, saved, options)
 {
-  const made = nativePicture(field, scene);
+  const made = nativePicture(field, scene, options);
   if (made)
   {
     const worst = Math.max(...distances(saved, made));

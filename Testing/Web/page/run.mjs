@@ -9,8 +9,9 @@ import { tests as controls } from './control-tests.mjs';
 import { tests as files } from './file-tests.mjs';
 import { browser, positionals, server } from './harness.mjs';
 import { tests as pictures } from './picture-tests.mjs';
+import { tests as sources } from './source-tests.mjs';
 
-const tests = { ...controls, ...files, ...pictures };
+const tests = { ...controls, ...files, ...pictures, ...sources };
 let failed = false;
 try
 {
