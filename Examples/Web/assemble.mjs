@@ -50,6 +50,8 @@ const pageFiles = [
 const libraries = { "fast-png": "lib", iobuffer: "lib", fflate: "esm" };
 const entries = { iobuffer: "iobuffer/iobuffer.js", fflate: "fflate/browser.js" };
 
+const copied = []; // their files
+
 function copyLibrary(name, folder, depth = "../") {
   const from = join(modules, name, folder);
   const to = join(output, "libraries", name);
@@ -68,6 +70,7 @@ function copyLibrary(name, folder, depth = "../") {
           )
           .replace(/^\/\/# sourceMappingURL=.*$/m, "");
         writeFileSync(join(to, path), text);
+        copied.push(`${name}/${path.replaceAll("\\", "/")}`);
       }
     }
   };
@@ -233,7 +236,7 @@ async function writeExamples() {
 }
 
 //--------------------------------------------------------------------------------------------------
-// All modules of the page itself and the list of examples are asked for at once.
+// All modules of the page itself, the WebAssembly and the first example are asked for at once.
 function preload() {
   const file = join(output, "index.html");
   const scripts = (folder) =>
@@ -243,11 +246,26 @@ function preload() {
   const modules = ["", "reliefshading", "webgl"]
     .flatMap(scripts)
     .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
-  const data = '    <link rel="preload" as="fetch" crossorigin href="examples/examples.json" />\n';
+  const [first] = JSON.parse(readFileSync(join(output, "examples", "examples.json"), "utf8"));
+  const data = ["examples/examples.json", `examples/${first.file}`, "reliefshading/reliefshading.wasm"]
+    .map((name) => `    <link rel="preload" as="fetch" crossorigin href="${name}" />\n`)
+    .join("");
   const text = readFileSync(file, "utf8");
   const filled = text.replace(/ {4}<!-- What the first picture needs.*-->\n/, [...modules, data].join(""));
   if (filled === text) {
     throw new Error("index.html has no place for what is asked for first");
+  }
+  writeFileSync(file, filled);
+}
+
+// Nor does the worker that reads files go down the libraries step by step.
+function importLibraries() {
+  const file = join(output, "files.worker.js");
+  const scripts = copied.map((path) => `import "./libraries/${path}";\n`);
+  const text = readFileSync(file, "utf8");
+  const filled = text.replace(/^\/\/ The files of libraries.*\n/m, scripts.join(""));
+  if (filled === text) {
+    throw new Error("files.worker.js has no place for the files of libraries");
   }
   writeFileSync(file, filled);
 }
@@ -292,6 +310,7 @@ readdirSync(webgl)
 copyLibraries();
 await writeExamples();
 preload();
+importLibraries();
 listForOffline();
 // Last: what the build looks at to see whether all is there.
 writeFileSync(join(output, "assembled"), "");

@@ -3,6 +3,7 @@
 // Files in and out.
 
 const mostBytes = 2 ** 30;
+const patience = 1000; // milliseconds
 
 // One waits, so that a file is not kept waiting; not one that could not be loaded.
 let waiting = null;
@@ -26,7 +27,8 @@ export function callFiles(message, transfer = []) {
     waiting = null;
     const end = () => {
       worker.terminate();
-      waiting ??= newWorker();
+      // Not before the picture that is waited for.
+      setTimeout(() => (waiting ??= newWorker()), patience);
     };
     worker.onmessage = ({ data }) => {
       end();

@@ -3,6 +3,7 @@
 // Reads and writes files away from the page: heights and pictures from PNG, TIFF, OpenEXR and Radiance's by
 // libraries, from all else by the browser, heights of meshes and of normals by the package; pictures as PNG.
 
+// The files of libraries, so that none waits for what it is named by: assemble.mjs fills this in.
 import { metresOfDegree } from "./geodesy.js";
 import { isExr, isRadiance, readExr, readRadiance } from "./hdr.js";
 import { convertIndexedToRgb, decode, encode } from "./libraries/fast-png/index.js";

@@ -9,7 +9,7 @@ import { History } from "./history.js";
 import { carriedOver, describe, extentOf, LightDots, middleHeight } from "./lights.js";
 import { Panel } from "./panel.js";
 import { Picture, workersFor } from "./picture.js";
-import { createWorkerShader, fitHeightScale } from "./reliefshading/index.js";
+import { createWorkerShader, fitHeightScale, init } from "./reliefshading/index.js";
 import {
   fromLink,
   readSceneFile,
@@ -589,6 +589,8 @@ class Page {
 
 //--------------------------------------------------------------------------------------------------
 const begin = performance.now();
+// Meanwhile; where it fails who needs it says so.
+init().catch(() => {});
 const examples = await (await fetch(new URL("examples/examples.json", import.meta.url))).json();
 const page = new Page(examples);
 // For the console, and for tests.

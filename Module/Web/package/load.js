@@ -52,13 +52,23 @@ export class WebModule {
     this.instance = undefined; // of it; none after one that ended in the middle of a run
   }
 
-  /** Loads what is needed; later calls find it there. */
-  async load() {
+  /** The compiled module, which may be posted to workers. */
+  compile() {
     this.compiled ??= compile(this.url).catch((error) => {
       this.compiled = undefined; // so that it may be tried again
       throw error;
     });
-    const module = await this.compiled;
+    return this.compiled;
+  }
+
+  /** Takes a module that was compiled elsewhere. */
+  take(module) {
+    this.compiled ??= Promise.resolve(module);
+  }
+
+  /** Loads what is needed; later calls find it there. */
+  async load() {
+    const module = await this.compile();
     if (!this.instance) {
       const nothing = () => 0;
       // What the C library asks of a system: there is none.

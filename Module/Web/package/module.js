@@ -45,7 +45,7 @@ export const presetNames = ["multidirectional", "sky-dome", "sun-and-sky", "comb
 const presetSkies = ["none", "whiteDome", "clearSky"];
 const skyNumbers = { none: 0, file: 0, whiteDome: 1, clearSky: 2, picture: 3 };
 
-const module = new WebModule(new URL("./reliefshading.wasm", import.meta.url));
+export const module = new WebModule(new URL("./reliefshading.wasm", import.meta.url));
 const using = (body) => module.using(body);
 
 /** Loads what is needed; later calls find it there. */

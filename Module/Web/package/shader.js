@@ -2,6 +2,7 @@
 //
 // Workers, which leave the page free: each shades a band of rows of the same run.
 
+import { module } from "./module.js";
 import { needNumber, needObject, rangeError, refuseUnknown } from "./values.js";
 
 const errorTypes = { RangeError, TypeError, Error };
@@ -14,6 +15,9 @@ class Thread {
     this.waiting = new Map();
     this.calls = 0;
     this.worker.onmessage = ({ data }) => this.answer(data);
+    // Compiled once for all; where that fails the worker tries for itself, and says why not.
+    const hand = (compiled) => this.worker.postMessage({ compiled });
+    module.compile().then(hand, () => hand(null));
     this.worker.onerror = (event) =>
       onFailure(new Error(`the worker failed: ${event.message ?? "it cannot be loaded"}`));
   }

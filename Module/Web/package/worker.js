@@ -2,8 +2,7 @@
 //
 // What shader.js starts: answers one call after the other. Results are handed over, not copied.
 
-import { heightsOfMesh, heightsOfNormals } from "./heights.js";
-import { exposureOf, fitScale, load, presetLights, shadeRun } from "./module.js";
+import { exposureOf, fitScale, load, module, presetLights, shadeRun } from "./module.js";
 import { readField, readRun } from "./options.js";
 
 const answers = {
@@ -12,8 +11,10 @@ const answers = {
   findExposure: async (heights, options) =>
     exposureOf(await readRun(heights, options, { presetLights, fitScale })),
   fitHeightScale: (heights, options) => fitScale(readField(heights, options)),
-  heightsOfMesh,
-  heightsOfNormals,
+  // Few need these, and each worker would wait for them.
+  heightsOfMesh: async (mesh, options) => (await import("./heights.js")).heightsOfMesh(mesh, options),
+  heightsOfNormals: async (normals, options) =>
+    (await import("./heights.js")).heightsOfNormals(normals, options),
 };
 
 async function answer({ call, what, heights, options, band }) {
@@ -29,10 +30,19 @@ async function answer({ call, what, heights, options, band }) {
   }
 }
 
-// Meanwhile; where it fails the first call says so.
-load().catch(() => {});
+// What shader.js has compiled comes by itself.
+let begin;
+let last = new Promise((resolve) => (begin = resolve)); // so that calls are answered in their order
 
-let last = Promise.resolve(); // so that they are answered in their order
 self.onmessage = ({ data }) => {
-  last = last.then(() => answer(data));
+  if (data.compiled !== undefined) {
+    if (data.compiled) {
+      module.take(data.compiled);
+    }
+    // Meanwhile; where it fails the first call says so.
+    load().catch(() => {});
+    begin();
+  } else {
+    last = last.then(() => answer(data));
+  }
 };
