@@ -7,7 +7,7 @@
 /// another library passes, long steps that can be ended, and the memory that the machine has. Not
 /// installed.
 
-#include "ShortText.h"
+#include "Core/ShortText.h"
 
 #include "vtkType.h" // For vtkTypeInt64
 
