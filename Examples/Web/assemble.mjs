@@ -236,7 +236,7 @@ async function writeExamples() {
 }
 
 //--------------------------------------------------------------------------------------------------
-// All modules of the page itself, the WebAssembly and the first example are asked for at once.
+// All modules of the page itself, the WebAssembly and the list of examples are asked for at once.
 function preload() {
   const file = join(output, "index.html");
   const scripts = (folder) =>
@@ -246,8 +246,7 @@ function preload() {
   const modules = ["", "reliefshading", "webgl"]
     .flatMap(scripts)
     .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
-  const [first] = JSON.parse(readFileSync(join(output, "examples", "examples.json"), "utf8"));
-  const data = ["examples/examples.json", `examples/${first.file}`, "reliefshading/reliefshading.wasm"]
+  const data = ["examples/examples.json", "reliefshading/reliefshading.wasm"]
     .map((name) => `    <link rel="preload" as="fetch" crossorigin href="${name}" />\n`)
     .join("");
   const text = readFileSync(file, "utf8");
