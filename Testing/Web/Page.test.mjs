@@ -46,6 +46,15 @@ try {
   const thin = await several.shade(new Float32Array(5), { width: 5, height: 1 });
   lines.push("thin " + thin.data.length);
   several.terminate();
+  const before = await (await fetch("/asked")).text();
+  const { heightsOfMesh } = await import("/package/index.js");
+  const mesh = { points: [0, 0, 0, 3, 0, 1, 0, 3, 2] };
+  const [seen, seenThere] = [await heightsOfMesh(mesh, { resolution: 30 }), await shader.heightsOfMesh(mesh, { resolution: 30 })];
+  const level = await shader.heightsOfNormals({ data: new Uint8Array(48).fill(255), width: 4, height: 4 }, { green: "up" });
+  const none = await shader.heightsOfMesh("none").catch((e) => e);
+  lines.push("mesh " + seen.heights.every((h, k) => Object.is(h, seenThere.heights[k])) + " " + level.heights.length + " " +
+    (none instanceof RangeError));
+  lines.push("asked " + before + ", then " + (await (await fetch("/asked")).text()));
   const error = await shader.shade(new Float32Array(4), { width: 2, height: 2, depth: -1 }).catch((e) => e);
   lines.push("error " + (error instanceof RangeError) + " " + error.message);
   shader.terminate();
@@ -62,6 +71,7 @@ const types = { ".js": "text/javascript", ".wasm": "application/wasm" };
 test("a page shades, and its worker does", { timeout: 120000 }, async () => {
   const [width, height] = [64, 48];
   const heights = makeTerrain(width, height);
+  const asked = []; // of WebAssembly
   let report;
   const done = new Promise((resolve) => (report = resolve));
   const server = createServer((request, response) => {
@@ -77,8 +87,13 @@ test("a page shades, and its worker does", { timeout: 120000 }, async () => {
         send("text/plain", "");
         report(text);
       });
+    } else if (request.url === "/asked") {
+      send("text/plain", asked.join(" "));
     } else if (request.url.startsWith("/package/")) {
       const name = normalize(request.url.slice("/package/".length));
+      if (name.endsWith(".wasm")) {
+        asked.push(name);
+      }
       send(types[extname(name)] ?? "text/plain", readFileSync(join(packageFolder, name)));
     } else {
       response.writeHead(404).end();
@@ -109,6 +124,9 @@ test("a page shades, and its worker does", { timeout: 120000 }, async () => {
       `worker ${sum} ${width * height} given 0`,
       `bands true true ${height}`,
       "thin 20",
+      "mesh true 16 true",
+      // Once for the page and all workers, and what few need when it is needed.
+      "asked reliefshading.wasm, then reliefshading.wasm reliefheights.wasm reliefheights.wasm",
       "error true subsurfaceDepth: -1 was given, a finite number of at least 0 is expected",
       "ended the worker was terminated",
     ]);
