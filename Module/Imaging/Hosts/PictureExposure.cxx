@@ -13,9 +13,6 @@ namespace relief::hosts
 {
 namespace
 {
-// Of a field that is filled as it is needed, so many are filled for at a time.
-constexpr int TilesAtOnce = 16;
-
 //------------------------------------------------------------------------------
 std::vector<HeightSupply::Window> WindowsOf(
   const AutomaticExposure& exposure, const HeightView<float>& heights, int begin, int end)
@@ -34,7 +31,7 @@ std::vector<HeightSupply::Window> WindowsOf(
 
 //------------------------------------------------------------------------------
 PictureExposure FindExposure(vtkReliefScene* scene, const HeightField& field,
-  const Scene& converted, const WindowProvider& provide)
+  const Scene& converted, const WindowProvider& provide, int tilesAtOnce)
 {
   PictureExposure result;
   result.stops = converted.exposure;
@@ -44,7 +41,7 @@ PictureExposure FindExposure(vtkReliefScene* scene, const HeightField& field,
   }
   AutomaticExposure exposure(field, converted);
   const int count = exposure.GetNumberOfTiles();
-  const int step = provide ? TilesAtOnce : std::max(count, 1);
+  const int step = provide ? tilesAtOnce : std::max(count, 1);
   for (int first = 0; first < count; first += step)
   {
     const int last = std::min(first + step, count);

@@ -133,8 +133,8 @@ void ShadingRun::FindExposure()
   }
   else if (this->ExposedScene != version || this->ExposedField != field)
   {
-    this->Exposure = hosts::FindExposure(
-      this->Inputs.GetScene(), this->Inputs.GetField(), this->Scene.Get(), this->GetProvider());
+    this->Exposure = hosts::FindExposure(this->Inputs.GetScene(), this->Inputs.GetField(),
+      this->Scene.Get(), this->GetProvider(), std::isfinite(this->Limit.bytes) ? 1 : 16);
     this->ExposedScene = version;
     this->ExposedField = field;
   }

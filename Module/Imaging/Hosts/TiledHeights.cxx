@@ -305,17 +305,24 @@ TileRegions::Found TiledHeights::FindAll(const std::vector<HeightSupply::Window>
 }
 
 //------------------------------------------------------------------------------
-/// Heights and what bounds them; and of every row that is no whole page, the rest.
+/// Heights and what bounds them; and of every row that is no whole page, the rest, which is no more
+/// than what lies between.
 double TiledHeights::BytesOf(const TileRegions::Found& found) const
 {
-  constexpr double perSample = 9.0;
+  constexpr double perRegion = 9.0 * RegionSize * RegionSize;
   constexpr double perInterval = 1.5 * RegionSize * 4096.0;
   RegionSet all = found.read;
   all.Add(found.level);
   double bytes = 0.0;
+  int row = -1;
+  int end = 0; // of the last run
   for (const RegionSet::Interval& run : all.GetIntervals())
   {
-    bytes += perSample * (run.end - run.begin) * RegionSize * RegionSize + perInterval;
+    const double between =
+      row == run.row ? std::min(perInterval, perRegion * (run.begin - end)) : perInterval;
+    bytes += perRegion * (run.end - run.begin) + between;
+    row = run.row;
+    end = run.end;
   }
   return bytes;
 }
