@@ -14,13 +14,18 @@
 #include <limits>
 #include <locale>
 #include <map>
+#include <mutex>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 namespace relief::raster
 {
 namespace
 {
+/// Longer than any header.
+constexpr std::size_t LongestHeader = 1 << 14;
+
 /// What Microsoft's C library prints where a number is none, or has no end: 1.#QNAN,
 /// -1.#IND, 1.#INF, also rounded (1.#J) or filled up with zeros.
 bool ToNoNumber(const std::string& word, double& value)
@@ -76,6 +81,13 @@ public:
   {
   }
 
+  /// Those of a text that begins in some line of a file.
+  Words(const std::string& text, int line)
+    : Next(text.c_str())
+    , Line(line)
+  {
+  }
+
   /// Where the next word is looked for.
   const char* At() const { return this->Next; }
 
@@ -112,6 +124,19 @@ public:
     }
     this->Next += word.size();
     return value;
+  }
+
+  /// Passes over words, whatever they are.
+  void Skip(int count)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      this->SkipSpace();
+      while (*this->Next && !std::isspace(static_cast<unsigned char>(*this->Next)))
+      {
+        ++this->Next;
+      }
+    }
   }
 
   int GetLine() const { return this->Line; }
@@ -249,47 +274,94 @@ RasterHeader Describe(const std::map<std::string, double>& header)
 }
 
 //------------------------------------------------------------------------------
-/// Blanks part numbers, whose point is a point. Where there are commas, they part numbers or stand
-/// for points: which, the number of heights tells. Semicolons part numbers in any case.
-void ReadCommas(std::string& text, std::size_t begin, std::size_t expected)
+/// Counts the numbers of a text. Blanks and semicolons part them, and their point is a point. Where
+/// there are commas, they part numbers or stand for points: which, the number of heights tells.
+class NumberCount
 {
-  std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), ';', ' ');
-  if (text.find(',', begin) == std::string::npos)
+public:
+  /// Takes the next character.
+  void Take(char c)
   {
-    return;
-  }
-  // Count the words that blanks part, and those that commas part as well.
-  std::size_t words = 0;
-  std::size_t parts = 0;
-  bool inWord = false;
-  bool inPart = false;
-  bool afterComma = false;
-  int commas = 0;
-  bool points = false; // or words that would have two
-  for (std::size_t k = begin; k < text.size(); ++k)
-  {
-    const bool blank = std::isspace(static_cast<unsigned char>(text[k])) != 0;
-    const bool separates = blank || text[k] == ',';
-    words += !blank && !inWord ? 1 : 0;
-    parts += !separates && !inPart ? 1 : 0;
+    const bool comma = c == ',';
+    const bool blank = c == ';' || std::isspace(static_cast<unsigned char>(c)) != 0;
+    const bool separates = blank || comma;
+    this->BeginsWord = !blank && !this->InWord;
+    this->BeginsPart = !separates && !this->InPart;
+    this->Words += this->BeginsWord ? 1 : 0;
+    this->Parts += this->BeginsPart ? 1 : 0;
     // Between two commas a number is missing.
-    const bool comma = text[k] == ',';
-    parts += comma && afterComma ? 1 : 0;
-    afterComma = comma || (afterComma && blank);
-    inWord = !blank;
-    inPart = !separates;
-    commas = blank ? 0 : commas + (comma ? 1 : 0);
-    points = points || text[k] == '.' || commas > 1;
+    this->Missing += comma && this->AfterComma ? 1 : 0;
+    this->AfterComma = comma || (this->AfterComma && blank);
+    this->InWord = !blank;
+    this->InPart = !separates;
+    this->Commas = this->Commas || comma;
+    this->CommasOfWord = blank ? 0 : this->CommasOfWord + (comma ? 1 : 0);
+    this->Points = this->Points || c == '.' || this->CommasOfWord > 1;
   }
-  if (parts != expected && (words != expected || points))
+
+  /// Whether a number begins with the last one: where blanks part them, and where commas do.
+  bool BeginsWord = false;
+  bool BeginsPart = false;
+
+  /// Whether commas part numbers. Throws a Failure where that is not clear.
+  bool PartsByCommas(std::size_t expected) const
   {
-    throw io::Failure(vtkErrorCode::FileFormatError,
-      "it has commas, and it is not clear whether they part numbers or stand for points: " +
-        std::to_string(expected) + " heights are announced, " + std::to_string(words) + " or " +
-        std::to_string(parts) + " found");
+    const std::size_t parts = this->Parts + this->Missing;
+    if (this->Commas && parts != expected && (this->Words != expected || this->Points))
+    {
+      throw io::Failure(vtkErrorCode::FileFormatError,
+        "it has commas, and it is not clear whether they part numbers or stand for points: " +
+          std::to_string(expected) + " heights are announced, " + std::to_string(this->Words) +
+          " or " + std::to_string(parts) + " found");
+    }
+    return this->Commas && parts == expected;
   }
-  std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), ',',
-    parts == expected ? ' ' : '.');
+
+private:
+  std::size_t Words = 0;   // that blanks part
+  std::size_t Parts = 0;   // that commas part as well
+  std::size_t Missing = 0; // of these
+  bool InWord = false;
+  bool InPart = false;
+  bool AfterComma = false;
+  bool Commas = false;
+  int CommasOfWord = 0;
+  bool Points = false; // or words that would have two
+};
+
+//------------------------------------------------------------------------------
+/// Makes numbers that blanks part, with points, of a text from an offset on.
+void SetSeparators(std::string& text, std::size_t begin, bool partedByCommas)
+{
+  const auto first = text.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::replace(first, text.end(), ';', ' ');
+  std::replace(first, text.end(), ',', partedByCommas ? ' ' : '.');
+}
+
+//------------------------------------------------------------------------------
+std::size_t CountOf(const RasterHeader& header)
+{
+  return static_cast<std::size_t>(header.Columns) * static_cast<std::size_t>(header.Rows);
+}
+
+//------------------------------------------------------------------------------
+/// Every height takes two characters at least: a damaged header asks for no memory in vain.
+void CheckLength(const RasterHeader& header, double bytes)
+{
+  if (bytes / 2.0 + 1.0 < static_cast<double>(CountOf(header)))
+  {
+    throw io::Failure(vtkErrorCode::PrematureEndOfFileError,
+      "the file ends early: " + std::to_string(header.Columns) + " x " +
+        std::to_string(header.Rows) + " heights are announced");
+  }
+}
+
+//------------------------------------------------------------------------------
+io::Failure TooMany(const RasterHeader& header, int line)
+{
+  return { vtkErrorCode::FileFormatError,
+    "line " + std::to_string(line) + ": more than " + std::to_string(header.Columns) + " x " +
+      std::to_string(header.Rows) + " heights" };
 }
 }
 
@@ -304,8 +376,7 @@ bool IsEsriGrid(const std::string& file)
 //------------------------------------------------------------------------------
 RasterHeader ReadEsriHeader(const std::string& file)
 {
-  // Longer than any header.
-  const std::string text = ReadText(file, 1 << 14);
+  const std::string text = ReadText(file, LongestHeader);
   Words words(text);
   return Describe(TakeHeader(words));
 }
@@ -319,17 +390,14 @@ vtkSmartPointer<vtkImageData> ReadEsriHeights(
   const RasterHeader header = Describe(TakeHeader(words));
   const int columns = header.Columns;
   const int rows = header.Rows;
-  // Every height takes two characters at least: a damaged header asks for no memory in vain.
-  if (text.size() / 2 + 1 < static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))
-  {
-    throw io::Failure(vtkErrorCode::PrematureEndOfFileError,
-      "the file ends early: " + std::to_string(columns) + " x " + std::to_string(rows) +
-        " heights are announced");
-  }
+  CheckLength(header, static_cast<double>(text.size()));
 
   plan.Claim(columns, rows, sizeof(float), static_cast<double>(text.size()));
-  ReadCommas(text, static_cast<std::size_t>(words.At() - text.c_str()),
-    static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const auto begin = static_cast<std::size_t>(words.At() - text.c_str());
+  NumberCount count;
+  std::for_each(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(),
+    [&count](char c) { count.Take(c); });
+  SetSeparators(text, begin, count.PartsByCommas(CountOf(header)));
 
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(columns, rows, 1);
@@ -346,11 +414,172 @@ vtkSmartPointer<vtkImageData> ReadEsriHeights(
   }
   if (!words.Peek().empty())
   {
-    throw io::Failure(vtkErrorCode::FileFormatError,
-      "line " + std::to_string(words.GetLine()) + ": more than " + std::to_string(columns) + " x " +
-        std::to_string(rows) + " heights");
+    throw TooMany(header, words.GetLine());
   }
   return image;
+}
+
+double SizeOfText(const std::string& file)
+{
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  return code ? 0.0 : static_cast<double>(size);
+}
+
+namespace
+{
+/// Where the rows of a grid begin, if numbers are parted in one of two ways.
+class RowStarts
+{
+public:
+  explicit RowStarts(const RasterHeader& header)
+    : Header(header)
+  {
+    this->Starts.reserve(static_cast<std::size_t>(header.Rows) + 1);
+  }
+
+  /// Told of every number.
+  void Add(std::uint64_t offset, int line)
+  {
+    if (this->Found++ == this->Next)
+    {
+      // Behind the last row there is to be none.
+      const std::size_t columns = static_cast<std::size_t>(this->Header.Columns);
+      const bool behind = this->Starts.size() == static_cast<std::size_t>(this->Header.Rows);
+      this->Starts.push_back({ offset, line });
+      this->Next += behind ? std::numeric_limits<std::size_t>::max() - this->Next : columns;
+    }
+  }
+
+  /// Those of all rows, and the end of the file. Throws a Failure unless there is a number for
+  /// every height.
+  EsriRows::Starts Take(std::uint64_t end, int lastLine)
+  {
+    if (this->Found > CountOf(this->Header))
+    {
+      throw TooMany(this->Header, this->Starts.back().Line);
+    }
+    if (this->Found < CountOf(this->Header))
+    {
+      throw io::Failure(vtkErrorCode::PrematureEndOfFileError,
+        "line " + std::to_string(lastLine) + ": the file ends early");
+    }
+    this->Starts.push_back({ end, lastLine });
+    return std::move(this->Starts);
+  }
+
+private:
+  const RasterHeader& Header;
+  EsriRows::Starts Starts;
+  std::size_t Found = 0;
+  std::size_t Next = 0; // that begins a row
+};
+}
+
+//------------------------------------------------------------------------------
+EsriRows::EsriRows(const std::string& file)
+  : Name(file)
+{
+  const std::string head = ReadText(file, LongestHeader);
+  Words words(head);
+  const RasterHeader header = Describe(TakeHeader(words));
+  this->Rows = header.Rows;
+  std::ifstream stream(file, std::ios::binary);
+  CheckLength(header, SizeOfText(file));
+
+  // Once through the text; what its commas are is known at the end.
+  std::uint64_t offset = static_cast<std::uint64_t>(words.At() - head.c_str());
+  stream.seekg(static_cast<std::streamoff>(offset));
+  int line = words.GetLine();
+  NumberCount count;
+  RowStarts byBlanks(header);
+  RowStarts byCommas(header);
+  std::vector<char> buffer(std::size_t(1) << 20);
+  bool ended = false; // at a character that ends texts
+  while (!ended && stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())).gcount())
+  {
+    const std::streamsize got = stream.gcount();
+    for (std::streamsize k = 0; k < got && !ended; ++k, ++offset)
+    {
+      const char c = buffer[static_cast<std::size_t>(k)];
+      ended = c == '\0';
+      count.Take(ended ? ' ' : c);
+      if (count.BeginsWord)
+      {
+        byBlanks.Add(offset, line);
+      }
+      if (count.BeginsPart)
+      {
+        byCommas.Add(offset, line);
+      }
+      line += c == '\n' ? 1 : 0;
+    }
+  }
+  this->PartedByCommas = count.PartsByCommas(CountOf(header));
+  this->Begins = (this->PartedByCommas ? byCommas : byBlanks).Take(offset, line);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const EsriRows> EsriRows::Of(const std::string& file)
+{
+  static std::mutex mutex;
+  static std::map<std::string, std::weak_ptr<const EsriRows>> known;
+  std::error_code code;
+  const std::string state = file + "\n" + std::to_string(SizeOfText(file)) + "\n" +
+    std::to_string(std::filesystem::last_write_time(file, code).time_since_epoch().count());
+  // Another thread that wants the same waits.
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::shared_ptr<const EsriRows> rows = known[state].lock();
+  if (!rows)
+  {
+    for (auto other = known.begin(); other != known.end();)
+    {
+      other = other->second.expired() ? known.erase(other) : std::next(other);
+    }
+    rows = std::make_shared<EsriRows>(file);
+    known[state] = rows;
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> EsriRows::Read(const RasterFile::Window& window) const
+{
+  const int width = window.i1 - window.i0;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, window.j1 - window.j0, 1);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  std::ifstream stream(this->Name, std::ios::binary);
+  std::string text;
+  for (int j = window.j0; j < window.j1; ++j, values += width)
+  {
+    // The file begins with the northern row.
+    const auto row = static_cast<std::size_t>(this->Rows - 1 - j);
+    const Start& start = this->Begins[row];
+    text.resize(static_cast<std::size_t>(this->Begins[row + 1].Offset - start.Offset));
+    stream.seekg(static_cast<std::streamoff>(start.Offset));
+    stream.read(&text[0], static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    stream.clear();
+    SetSeparators(text, 0, this->PartedByCommas);
+    Words words(text, start.Line);
+    words.Skip(window.i0);
+    for (int i = 0; i < width; ++i)
+    {
+      values[i] = static_cast<float>(words.TakeNumber());
+    }
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> FilesOfEsriGrid(const std::string& file)
+{
+  const std::string projection = std::filesystem::path(file).replace_extension(".prj").string();
+  std::error_code code;
+  return std::filesystem::exists(projection, code) ? std::vector<std::string>{ file, projection }
+                                                   : std::vector<std::string>{ file };
 }
 
 //------------------------------------------------------------------------------

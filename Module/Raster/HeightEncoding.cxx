@@ -39,8 +39,22 @@ public:
   }
 
   Raster Read(const MemoryPlan& plan, const io::StepWatcher& watcher) override;
+  bool HasWindows() const override
+  {
+    return std::all_of(this->Colors.begin(), this->Colors.end(),
+      [](const std::unique_ptr<RasterFile>& band) { return band->HasWindows(); });
+  }
+  Raster ReadWindow(const Window& window) override;
+  double GetReadingBytes() const override
+  {
+    const double samples = 1.0 * this->Header.Columns * this->Header.Rows;
+    return samples * (sizeof(unsigned int) + this->Colors.size());
+  }
 
 private:
+  using ReadBand = std::function<Raster(std::size_t band)>;
+  Raster Decode(const ReadBand& read) const;
+
   static void MakeHeader(RasterHeader& header)
   {
     header.ScalarType = VTK_FLOAT;
@@ -55,19 +69,13 @@ private:
 };
 
 //------------------------------------------------------------------------------
-Raster EncodedFile::Read(const MemoryPlan& plan, const io::StepWatcher& watcher)
+Raster EncodedFile::Decode(const ReadBand& read) const
 {
   vtkNew<vtkUnsignedIntArray> codes;
   Raster raster;
   for (std::size_t k = 0; k < this->Colors.size(); ++k)
   {
-    // The codes and the heights come with the first band, with all that the caller makes of these.
-    MemoryPlan whole{ plan.Budget };
-    whole.PerPixel =
-      k == 0 ? plan.PerPixel + plan.Copies * sizeof(float) + sizeof(unsigned int) : 0.0;
-    Raster band = this->Colors[k]->Read(whole,
-      [&watcher, k](double share)
-      { return !watcher || watcher((static_cast<double>(k) + share) / 3.0); });
+    const Raster band = read(k);
     if (band.Heights->GetScalarType() != VTK_UNSIGNED_CHAR)
     {
       throw io::Failure(vtkErrorCode::FileFormatError,
@@ -100,6 +108,28 @@ Raster EncodedFile::Read(const MemoryPlan& plan, const io::StepWatcher& watcher)
   image->GetPointData()->SetScalars(heights);
   raster.Heights = image;
   return raster;
+}
+
+//------------------------------------------------------------------------------
+Raster EncodedFile::Read(const MemoryPlan& plan, const io::StepWatcher& watcher)
+{
+  return this->Decode(
+    [&](std::size_t k)
+    {
+      // The codes and the heights come with the first band, with all that the caller makes of them.
+      MemoryPlan whole{ plan.Budget };
+      whole.PerPixel =
+        k == 0 ? plan.PerPixel + plan.Copies * sizeof(float) + sizeof(unsigned int) : 0.0;
+      return this->Colors[k]->Read(whole,
+        [&watcher, k](double share)
+        { return !watcher || watcher((static_cast<double>(k) + share) / 3.0); });
+    });
+}
+
+//------------------------------------------------------------------------------
+Raster EncodedFile::ReadWindow(const Window& window)
+{
+  return this->Decode([&](std::size_t k) { return this->Colors[k]->ReadWindow(window); });
 }
 }
 

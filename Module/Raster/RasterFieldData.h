@@ -17,7 +17,7 @@ void AddFieldData(const RasterHeader& header, const double* origin, vtkFieldData
 /// Where an image of a raster, or of a part of it, or of it in another resolution, lies on the map:
 /// by the raster's field data, and the place and spacing of the image. Not Present where there are
 /// no such data. Throws a Failure where they are damaged or the image is turned.
-GeoReference FindReference(vtkFieldData* data, vtkImageData* image);
+VTKIORELIEFRASTER_EXPORT GeoReference FindReference(vtkFieldData* data, vtkImageData* image);
 }
 
 #endif

@@ -33,18 +33,14 @@ Raster RasterFile::ReadWindow(const Window&)
 }
 
 //------------------------------------------------------------------------------
-Raster ReadHeights(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window,
-  const std::array<double, 2>& scaling)
+Raster ReadStored(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window)
 {
   Raster raster = file.ReadWindow(window);
-  raster.Scale = scaling[0];
-  raster.Offset = scaling[1];
   if (!options.NoDataFromFile)
   {
     raster.NoData = options.NoData;
   }
   MarkNoData(raster);
-  ApplyScale(raster);
   return raster;
 }
 

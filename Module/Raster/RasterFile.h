@@ -83,6 +83,9 @@ public:
   /// Whether windows of it can be read without the rest.
   virtual bool HasWindows() const { return false; }
 
+  /// What reading all of it takes beside its samples, in bytes.
+  virtual double GetReadingBytes() const { return 0.0; }
+
   /// Reads a window's heights as the file stores them, and its mask; of what has windows. Throws a
   /// Failure.
   virtual Raster ReadWindow(const Window& window);
@@ -111,10 +114,8 @@ std::unique_ptr<RasterFile> OpenPicture(const std::string& file, const ReadOptio
 VTKIORELIEFRASTER_EXPORT Raster ReadHeights(RasterFile& file, const ReadOptions& options,
   const MemoryPlan& plan, const io::StepWatcher& watcher);
 
-/// The same of a window, with a scale and an offset of the stored values; tells nothing of what
-/// looks like no data.
-Raster ReadHeights(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window,
-  const std::array<double, 2>& scaling);
+/// The same of a window, as the file stores them; tells nothing of what looks like no data.
+Raster ReadStored(RasterFile& file, const ReadOptions& options, const RasterFile::Window& window);
 
 /// Sets the spacing that there is right after a header was read, as ReadHeights does: throws a
 /// Failure where it is none, or the raster is sheared.

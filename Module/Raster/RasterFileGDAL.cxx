@@ -386,8 +386,9 @@ class GdalRaster : public RasterFile
 public:
   GdalRaster(const std::string& file, DatasetPointer dataset, const ReadOptions& options);
   Raster Read(const MemoryPlan& plan, const io::StepWatcher& watcher) override;
-  bool HasWindows() const override { return !this->Esri; }
+  bool HasWindows() const override { return true; }
   Raster ReadWindow(const Window& window) override;
+  double GetReadingBytes() const override { return this->Esri ? SizeOfText(this->Name) : 0.0; }
 
 private:
   vtkSmartPointer<vtkImageData> ReadMask(const io::StepWatcher& watcher) const;
@@ -399,6 +400,7 @@ private:
   SampleType Type;
   bool HasMask;
   bool Esri;
+  std::shared_ptr<const EsriRows> Grid; // of such a grid, once windows are read
   bool Padded;
 };
 
@@ -483,6 +485,12 @@ Raster GdalRaster::ReadWindow(const Window& window)
   raster.Columns = window.i1 - window.i0;
   raster.Rows = window.j1 - window.j0;
   const bool southUp = raster.Reference.SouthUp;
+  if (this->Esri)
+  {
+    this->Grid = this->Grid ? this->Grid : EsriRows::Of(this->Name);
+    raster.Heights = this->Grid->Read(window);
+    return raster;
+  }
   raster.Heights = ReadWindowOf(this->Band, this->Type, southUp, window);
   if (this->HasMask)
   {

@@ -34,8 +34,22 @@ public:
     return raster;
   }
 
+  bool HasWindows() const override { return true; }
+
+  Raster ReadWindow(const Window& window) override
+  {
+    Raster raster;
+    static_cast<RasterHeader&>(raster) = this->Header;
+    raster.Columns = window.i1 - window.i0;
+    raster.Rows = window.j1 - window.j0;
+    this->Grid = this->Grid ? this->Grid : EsriRows::Of(this->Name);
+    raster.Heights = this->Grid->Read(window);
+    return raster;
+  }
+
 private:
   std::string Name;
+  std::shared_ptr<const EsriRows> Grid; // once windows are read
 };
 }
 

@@ -101,7 +101,8 @@ bool IsSurvey(const std::string& name)
 
 //------------------------------------------------------------------------------
 /// A hash of all that has been kept, which tells whether a file is whole.
-std::string HashOf(const std::array<Plane, Planes>& planes, const hosts::HeightSurvey& survey)
+std::string HashOf(const std::array<Plane, Planes>& planes, const hosts::HeightSurvey& survey,
+  const std::string& warning)
 {
   std::uint64_t hash = MixHash(survey.hash, survey.bounds.GetNumberWithData());
   for (const double number : { survey.least, survey.greatest, survey.scale, survey.datum })
@@ -119,8 +120,15 @@ std::string HashOf(const std::array<Plane, Planes>& planes, const hosts::HeightS
       hash = MixHash(hash, bits);
     }
   }
+  for (const char c : warning)
+  {
+    hash = MixHash(hash, static_cast<unsigned char>(c));
+  }
   return HashText(hash);
 }
+
+/// Stands for an empty text, which GDAL does not keep.
+constexpr const char* Nothing = "none";
 }
 
 //------------------------------------------------------------------------------
@@ -167,7 +175,8 @@ std::string HashOfProbes(hosts::HeightSupply& heights)
 
 //------------------------------------------------------------------------------
 bool LoadSurvey(const std::string& raster, const std::string& state,
-  const hosts::HeightSupply& heights, double scale, hosts::HeightSurvey& survey)
+  const hosts::HeightSupply& heights, double scale, hosts::HeightSurvey& survey,
+  std::string& warning)
 {
   const GdalErrors errors;
   const std::string name = SurveyName(raster);
@@ -178,11 +187,12 @@ bool LoadSurvey(const std::string& raster, const std::string& state,
   }
   const DatasetPointer file(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER));
   const char* kept = file ? file->GetMetadataItem("RELIEF_SOURCE") : nullptr;
+  const char* told = file ? file->GetMetadataItem("RELIEF_UNDECLARED") : nullptr;
   const char* sum = file ? file->GetMetadataItem("RELIEF_SUM") : nullptr;
   hosts::HeightSurvey found;
   found.bounds.SetSize(heights.GetColumns(), heights.GetRows());
   std::uint64_t samples = 0;
-  const bool fits = kept && sum && state == kept && file->GetRasterCount() == Planes &&
+  const bool fits = kept && told && sum && state == kept && file->GetRasterCount() == Planes &&
     file->GetRasterXSize() == found.bounds.GetRegionColumns() &&
     file->GetRasterYSize() == found.bounds.GetRegionRows() &&
     ReadNumber(file.get(), "RELIEF_SCALE", found.scale) &&
@@ -198,17 +208,18 @@ bool LoadSurvey(const std::string& raster, const std::string& state,
   }
   FillBounds(planes, found.bounds);
   found.bounds.SetNumberWithData(samples);
-  if (HashOf(planes, found) != sum)
+  if (HashOf(planes, found, told) != sum)
   {
     return false;
   }
+  warning = std::strcmp(told, Nothing) == 0 ? "" : told;
   survey = std::move(found);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void SaveSurvey(
-  const std::string& raster, const std::string& state, const hosts::HeightSurvey& survey)
+void SaveSurvey(const std::string& raster, const std::string& state,
+  const hosts::HeightSurvey& survey, const std::string& warning)
 {
   const GdalErrors errors;
   const CPLConfigOptionSetter noSideFiles("GDAL_PAM_ENABLED", "NO", false);
@@ -235,11 +246,13 @@ void SaveSurvey(
     {
       return;
     }
-    const std::array<std::array<std::string, 2>, 8> items{ { { "RELIEF_SOURCE", state },
+    const std::string told = warning.empty() ? Nothing : warning;
+    const std::array<std::array<std::string, 2>, 9> items{ { { "RELIEF_SOURCE", state },
       { "RELIEF_SCALE", TextOf(survey.scale) }, { "RELIEF_DATUM", TextOf(survey.datum) },
       { "RELIEF_LEAST", TextOf(survey.least) }, { "RELIEF_GREATEST", TextOf(survey.greatest) },
       { "RELIEF_SAMPLES", std::to_string(bounds.GetNumberWithData()) },
-      { "RELIEF_HASH", std::to_string(survey.hash) }, { "RELIEF_SUM", HashOf(planes, survey) } } };
+      { "RELIEF_HASH", std::to_string(survey.hash) }, { "RELIEF_UNDECLARED", told },
+      { "RELIEF_SUM", HashOf(planes, survey, told) } } };
     for (const auto& [name, value] : items)
     {
       file->SetMetadataItem(name.c_str(), value.c_str());

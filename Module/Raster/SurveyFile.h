@@ -27,11 +27,13 @@ std::string HashOfProbes(hosts::HeightSupply& heights);
 
 /// Reads what has been kept for a state of a raster and a scale. Returns whether there is any.
 bool LoadSurvey(const std::string& raster, const std::string& state,
-  const hosts::HeightSupply& heights, double scale, hosts::HeightSurvey& survey);
+  const hosts::HeightSupply& heights, double scale, hosts::HeightSurvey& survey,
+  std::string& warning);
 
-/// Keeps a survey, in place of any other; does nothing where that cannot be written.
-void SaveSurvey(
-  const std::string& raster, const std::string& state, const hosts::HeightSurvey& survey);
+/// Keeps a survey, in place of any other, and what the pass has to warn of, which may be nothing.
+/// Does nothing where that cannot be written.
+void SaveSurvey(const std::string& raster, const std::string& state,
+  const hosts::HeightSurvey& survey, const std::string& warning);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TiledRaster.h"
 
+#include "EsriGrid.h"
 #include "Gdal.h"
 #include "SurveyFile.h"
 #include "TiledHeights.h"
@@ -102,12 +103,22 @@ const std::string& TiledRaster::GetState()
 {
   if (this->State.empty())
   {
-    this->State = StateOfFiles(FilesOf(this->Name));
+    std::vector<std::string> files = FilesOf(this->Name);
+    if (files.empty() && IsEsriGrid(this->Name))
+    {
+      files = FilesOfEsriGrid(this->Name); // GDAL does not read all of those
+    }
+    this->State = StateOfFiles(files);
     if (this->State.empty())
     {
       return this->State;
     }
     const ReadOptions& options = this->Options;
+    if (options.Encoding != HeightEncoding::None)
+    {
+      this->State +=
+        options.Encoding == HeightEncoding::Terrarium ? " of terrarium" : " of terrain-rgb";
+    }
     this->State += " band " + std::to_string(options.Band) + " no data " +
       (options.NoDataFromFile ? "of the file"
           : options.NoData    ? std::to_string(*options.NoData)
@@ -135,8 +146,12 @@ hosts::HeightSupply::Part TiledRaster::Read(const Window& window)
   Part part;
   {
     const Lease file(*this);
-    const Raster raster = ReadHeights(
-      *file, this->Options, { window.i0, window.i1, window.j0, window.j1 }, this->Scaling);
+    Raster raster =
+      ReadStored(*file, this->Options, { window.i0, window.i1, window.j0, window.j1 });
+    this->NoteEnds(window, raster);
+    raster.Scale = this->Scaling[0];
+    raster.Offset = this->Scaling[1];
+    ApplyScale(raster);
     part.heights = raster.Heights;
     part.mask = raster.Mask;
     part.useNoData = raster.NoData.has_value();
@@ -147,6 +162,25 @@ hosts::HeightSupply::Part TiledRaster::Read(const Window& window)
     this->ApplyMask(window, part);
   }
   return part;
+}
+
+//------------------------------------------------------------------------------
+/// Takes note of what tells undeclared no data, while a pass goes over the rows. It may be made
+/// once more.
+void TiledRaster::NoteEnds(const Window& window, const Raster& part)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Noted.empty() || window.i1 - window.i0 < this->Header.Columns ||
+      this->Noted[static_cast<std::size_t>(window.j0)])
+    {
+      return;
+    }
+    std::fill(this->Noted.begin() + window.j0, this->Noted.begin() + window.j1, true);
+  }
+  const ValueEnds ends = EndsOfRows(part, window.j0, this->Header.Rows);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Ends.Add(ends);
 }
 
 //------------------------------------------------------------------------------
@@ -182,16 +216,29 @@ void TiledRaster::Advance(double share)
 bool TiledRaster::FindSurvey(double scale, hosts::HeightSurvey& survey)
 {
   const std::string& state = this->GetState();
-  return !state.empty() && LoadSurvey(this->Name, state, *this, scale, survey);
+  if (!state.empty() && LoadSurvey(this->Name, state, *this, scale, survey, this->Undeclared))
+  {
+    return true;
+  }
+  // The pass that is made now tells, unless one with another scale has. Who says that there is none
+  // has been told.
+  if (this->Options.NoDataFromFile || this->Options.NoData)
+  {
+    this->Noted.assign(static_cast<std::size_t>(this->Header.Rows), false);
+    this->Ends = ValueEnds();
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
 void TiledRaster::KeepSurvey(const hosts::HeightSurvey& survey)
 {
+  this->Undeclared = this->Noted.empty() ? "" : TellUndeclared(this->Ends, this->Header);
+  this->Noted.clear();
   const std::string& state = this->GetState();
   if (!state.empty())
   {
-    SaveSurvey(this->Name, state, survey);
+    SaveSurvey(this->Name, state, survey, this->Undeclared);
   }
 }
 
@@ -211,6 +258,10 @@ Raster ReadTiled(const std::shared_ptr<TiledRaster>& file, double scale)
   const auto samples = static_cast<std::uint64_t>(raster.Columns) * raster.Rows;
   raster.HasNaN = survey.bounds.GetNumberWithData() < samples;
   raster.Ends = { survey.least, survey.greatest };
+  if (!file->GetUndeclared().empty())
+  {
+    raster.Warnings.push_back({ file->GetUndeclared(), Warning::NoData });
+  }
   raster.Heights = vtkSmartPointer<vtkImageData>::New();
   raster.Heights->SetDimensions(raster.Columns, raster.Rows, 1);
   raster.Heights->GetPointData()->SetScalars(heights);

@@ -7,6 +7,7 @@
 
 #include "HeightSupply.h"
 #include "RasterFile.h"
+#include "UndeclaredNoData.h"
 
 #include <array>
 #include <functional>
@@ -43,6 +44,10 @@ public:
 
   const RasterHeader& GetHeader() const { return this->Header; }
 
+  /// A warning of what looks like no data and is taken for a height (UndeclaredNoData.h), once the
+  /// heights have been surveyed; empty for none.
+  const std::string& GetUndeclared() const { return this->Undeclared; }
+
   /// What tells this state of the heights: the file's names, sizes and dates, how it is read, and a
   /// hash of some of its rows. Empty for what is no file.
   const std::string& GetState();
@@ -58,6 +63,7 @@ public:
 private:
   class Lease;
   void ApplyMask(const Window& window, Part& part);
+  void NoteEnds(const Window& window, const Raster& part);
 
   std::string Name;
   ReadOptions Options;
@@ -67,6 +73,9 @@ private:
   std::unique_ptr<TiledRaster> Mask;
   io::StepWatcher Watcher;
   std::string State;
+  std::string Undeclared;
+  std::vector<bool> Noted; // which rows are in Ends, while all are passed over
+  ValueEnds Ends;
   std::mutex Mutex;
   std::vector<std::unique_ptr<RasterFile>> Free; // open, and nobody's at the moment
 };

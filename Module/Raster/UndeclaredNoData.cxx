@@ -17,19 +17,6 @@ namespace relief::raster
 {
 namespace
 {
-/// The ends of a raster's values, and the next ones to them.
-struct Ends
-{
-  double Lowest = std::numeric_limits<double>::infinity();
-  double Highest = -std::numeric_limits<double>::infinity();
-  double SecondLowest = std::numeric_limits<double>::infinity();
-  double SecondHighest = -std::numeric_limits<double>::infinity();
-  vtkIdType AtLowest = 0;
-  vtkIdType AtHighest = 0;
-  vtkIdType Count = 0;
-};
-
-//------------------------------------------------------------------------------
 /// Calls a step with every value that counts as a height so far.
 template <class Step>
 void ForHeights(const Raster& raster, const Step& step)
@@ -54,7 +41,7 @@ void ForHeights(const Raster& raster, const Step& step)
 }
 
 //------------------------------------------------------------------------------
-void FindEnds(const Raster& raster, Ends& ends)
+void FindEnds(const Raster& raster, ValueEnds& ends)
 {
   if (!raster.Mask && !raster.NoData)
   {
@@ -76,7 +63,7 @@ void FindEnds(const Raster& raster, Ends& ends)
     {
       return;
     }
-    ends = Ends();
+    ends = ValueEnds();
   }
   ForHeights(raster,
     [&ends](double value)
@@ -87,8 +74,9 @@ void FindEnds(const Raster& raster, Ends& ends)
 }
 
 //------------------------------------------------------------------------------
-void FindSeconds(const Raster& raster, Ends& ends)
+void FindSeconds(const Raster& raster, ValueEnds& ends)
 {
+  ends.Count = 0;
   ForHeights(raster,
     [&ends](double value)
     {
@@ -141,31 +129,90 @@ std::string Digits(double value, bool single)
 }
 
 //------------------------------------------------------------------------------
-/// gdalwarp fills what it turns in with 0: corners of the raster, that is.
-bool InCorner(const Raster& raster, double value)
+/// Whether the file's numbers are known to be heights of a map, where gdalwarp fills what it turns
+/// in with 0: corners of the raster, that is.
+bool IsMarker(double value, const RasterHeader& header)
 {
-  vtkDataArray* heights = raster.Heights->GetPointData()->GetScalars();
-  const vtkIdType columns = raster.Columns;
+  return IsUsual(value) || (value == 0.0 && header.Reference.Present);
+}
+
+//------------------------------------------------------------------------------
+void FindCorners(const Raster& part, int firstRow, int rows, ValueEnds& ends)
+{
+  vtkDataArray* heights = part.Heights->GetPointData()->GetScalars();
+  const vtkIdType columns = part.Columns;
   const vtkIdType last = heights->GetNumberOfTuples() - 1;
-  const std::array<vtkIdType, 4> corners = { 0, columns - 1, last - columns + 1, last };
-  return std::any_of(corners.begin(), corners.end(),
-    [&](vtkIdType at) { return heights->GetComponent(at, 0) == value; });
+  if (firstRow == 0)
+  {
+    ends.Corners[0] = heights->GetComponent(0, 0);
+    ends.Corners[1] = heights->GetComponent(columns - 1, 0);
+  }
+  if (firstRow + part.Rows == rows)
+  {
+    ends.Corners[2] = heights->GetComponent(last - columns + 1, 0);
+    ends.Corners[3] = heights->GetComponent(last, 0);
+  }
 }
 }
 
 //------------------------------------------------------------------------------
-void WarnOfUndeclaredNoData(Raster& raster)
+void ValueEnds::Add(const ValueEnds& other)
 {
-  Ends ends;
-  FindEnds(raster, ends);
-  const bool zeroMarks = raster.Reference.Present;
-  const bool low = IsUsual(ends.Lowest) || (ends.Lowest == 0.0 && zeroMarks);
-  const bool high = IsUsual(ends.Highest) || (ends.Highest == 0.0 && zeroMarks);
-  if (!(ends.Lowest < ends.Highest) || !(low || high))
+  const double lowest = std::min(this->Lowest, other.Lowest);
+  const double highest = std::max(this->Highest, other.Highest);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : { this->Lowest, this->SecondLowest, other.Lowest, other.SecondLowest })
   {
-    return; // as nearly always, after one look at the heights
+    low = value > lowest ? std::min(low, value) : low;
   }
-  FindSeconds(raster, ends);
+  for (const double value :
+    { this->Highest, this->SecondHighest, other.Highest, other.SecondHighest })
+  {
+    high = value < highest ? std::max(high, value) : high;
+  }
+  this->AtLowest =
+    (this->Lowest == lowest ? this->AtLowest : 0) + (other.Lowest == lowest ? other.AtLowest : 0);
+  this->AtHighest = (this->Highest == highest ? this->AtHighest : 0) +
+    (other.Highest == highest ? other.AtHighest : 0);
+  this->Lowest = lowest;
+  this->Highest = highest;
+  this->SecondLowest = low;
+  this->SecondHighest = high;
+  this->Count += other.Count;
+  for (std::size_t k = 0; k < this->Corners.size(); ++k)
+  {
+    this->Corners[k] = std::isnan(this->Corners[k]) ? other.Corners[k] : this->Corners[k];
+  }
+}
+
+//------------------------------------------------------------------------------
+ValueEnds EndsOfRows(const Raster& part, int firstRow, int rows)
+{
+  ValueEnds ends;
+  FindEnds(part, ends);
+  if (IsMarker(ends.Lowest, part) || IsMarker(ends.Highest, part))
+  {
+    FindSeconds(part, ends);
+  }
+  else
+  {
+    // If other rows have a marker, these ends are next to it.
+    ForHeights(part, [&ends](double) { ++ends.Count; });
+  }
+  FindCorners(part, firstRow, rows, ends);
+  return ends;
+}
+
+//------------------------------------------------------------------------------
+std::string TellUndeclared(const ValueEnds& ends, const RasterHeader& header)
+{
+  const bool low = IsMarker(ends.Lowest, header);
+  const bool high = IsMarker(ends.Highest, header);
+  if (!(ends.Lowest < ends.Highest))
+  {
+    return std::string();
+  }
   for (const bool below : { true, false })
   {
     const double value = below ? ends.Lowest : ends.Highest;
@@ -177,18 +224,40 @@ void WarnOfUndeclaredNoData(Raster& raster)
                               : next - (low ? ends.SecondLowest : ends.Lowest);
     // What is also the white of a picture must have more than black beside it.
     const bool marks = value < 0.0 || value >= NoHeight || rest > 0.0;
-    const bool apart = value == 0.0 ? gap > rest && InCorner(raster, value) : gap > 0.5 * rest;
+    const bool inCorner =
+      std::find(ends.Corners.begin(), ends.Corners.end(), value) != ends.Corners.end();
+    const bool apart = value == 0.0 ? gap > rest && inCorner : gap > 0.5 * rest;
     if (!(below ? low : high) || times < 2 || !marks || !apart)
     {
       continue;
     }
-    const bool single = raster.Heights->GetScalarType() == VTK_FLOAT;
+    const bool single = header.ScalarType == VTK_FLOAT;
     std::ostringstream text;
     text << "its " << (below ? "lowest" : "highest") << " value, " << Digits(value, single)
          << " in " << times << " of " << ends.Count << " samples, lies far from the next one, "
          << Digits(next, single) << ", and is taken for a height; it looks like no data";
-    raster.Warnings.push_back({ text.str(), Warning::NoData });
-    return;
+    return text.str();
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+void WarnOfUndeclaredNoData(Raster& raster)
+{
+  ValueEnds ends;
+  FindEnds(raster, ends);
+  if (!IsMarker(ends.Lowest, raster) && !IsMarker(ends.Highest, raster))
+  {
+    return; // as nearly always, after one look at the heights
+  }
+  FindSeconds(raster, ends);
+  FindCorners(raster, 0, raster.Rows, ends);
+  RasterHeader header = raster;
+  header.ScalarType = raster.Heights->GetScalarType();
+  const std::string text = TellUndeclared(ends, header);
+  if (!text.empty())
+  {
+    raster.Warnings.push_back({ text, Warning::NoData });
   }
 }
 }

@@ -414,6 +414,10 @@ void vtkReliefRasterReader::Internals::ReadTiles(
   file->SetWatcher([this](double share) { return this->GoOn(share); });
   const Raster raster = ReadTiled(file, 1.0);
   file->SetWatcher(relief::io::StepWatcher());
+  if (!file->GetUndeclared().empty())
+  {
+    Tell(this->Self, name, { { file->GetUndeclared(), Warning::NoData } });
+  }
   raster.Heights->GetPointData()->GetScalars()->SetName("Heights");
   output->ShallowCopy(raster.Heights);
   this->Describe(file->GetHeader(), output);

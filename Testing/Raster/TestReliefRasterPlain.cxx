@@ -18,7 +18,9 @@
 #include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -298,6 +300,93 @@ void TestOrientation()
   }
 }
 
+/// A number as a grid may write it: with a point or a comma.
+std::string Written(std::mt19937& random, bool comma)
+{
+  const char* const numbers[] = { "12.5", "-7", "1e3", "+0.25", "nan", "1.#QNAN", "-9999", "3." };
+  const char* const commas[] = { "12,5", "-7", "1e3", "+0,25", "nan", "-9999", "3,125", "0,5" };
+  return comma ? commas[random() % 8] : numbers[random() % 8];
+}
+
+// Parts of a grid are what the whole has there, however its numbers stand in lines and are parted.
+void TestParts()
+{
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round)
+  {
+    const int columns = 1 + static_cast<int>(random() % 40);
+    const int rows = 1 + static_cast<int>(random() % 40);
+    // Blanks, points that are commas, commas, semicolons; rows in lines, or lines of any length.
+    const int kind = round % 4;
+    const char* const separators[] = { " ", " ", ",", "; " };
+    const bool byRows = round % 3 != 0;
+    std::string text = (round % 5 == 0 ? "\xEF\xBB\xBF" : "") + std::string("NCOLS ") +
+      std::to_string(columns) + "\r\nnrows " + std::to_string(rows) +
+      "\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
+    for (int k = 0; k < columns * rows; ++k)
+    {
+      const bool endsRow = (k + 1) % columns == 0;
+      text += Written(random, kind == 1) +
+        ((byRows ? endsRow : random() % 7 == 0) ? (kind == 2 && !byRows ? ",\n" : "\r\n")
+                                                : separators[kind]);
+    }
+    WriteText(Directory + "parts.asc", text);
+    vtkNew<vtkReliefRasterReader> whole;
+    MessageKeeper messages(whole);
+    whole->SetFileName((Directory + "parts.asc").c_str());
+    whole->Update();
+    CHECK(whole->GetOutput()->GetNumberOfPoints() == columns * rows);
+    for (int k = 0; k < 4; ++k)
+    {
+      int extent[6] = { static_cast<int>(random() % columns), 0, static_cast<int>(random() % rows),
+        0, 0, 0 };
+      extent[1] = extent[0] + static_cast<int>(random() % (columns - extent[0]));
+      extent[3] = extent[2] + static_cast<int>(random() % (rows - extent[2]));
+      vtkNew<vtkReliefRasterReader> reader;
+      MessageKeeper partMessages(reader);
+      reader->SetFileName((Directory + "parts.asc").c_str());
+      reader->UpdateExtent(extent);
+      CHECK(partMessages.Silent());
+      vtkImageData* part = reader->GetOutput();
+      CHECK(std::equal(extent, extent + 6, part->GetExtent()));
+      for (int j = extent[2]; j <= part->GetExtent()[3]; ++j)
+      {
+        for (int i = extent[0]; i <= part->GetExtent()[1]; ++i)
+        {
+          const double expected = whole->GetOutput()->GetScalarComponentAsDouble(i, j, 0, 0);
+          const double found = part->GetScalarComponentAsDouble(i, j, 0, 0);
+          CHECK(found == expected || (std::isnan(found) && std::isnan(expected)));
+        }
+      }
+    }
+  }
+}
+
+// What is wrong with a grid is told of its parts in the same words.
+void TestWrongParts()
+{
+  const std::string head = "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  const std::pair<const char*, const char*> cases[] = { { "1 2 3\n4 5\n",
+                                                          "line 8: the file ends early" },
+    { "1 2 3\n4 5 6\n\n7", "line 9: more than 3 x 2 heights" },
+    { "1 2 x\n4 5 6", "line 6: 'x' is no number" },
+    { "1,2 3\n4 5\n7,5 9.5", "6 heights are announced, 6 or 8 found" },
+    { "1,,3\n4,5,6\n", "line 8: the file ends early" } };
+  for (const auto& [text, fragment] : cases)
+  {
+    WriteText(Directory + "wrong.asc", head + text);
+    for (const bool part : { false, true })
+    {
+      vtkNew<vtkReliefRasterReader> reader;
+      MessageKeeper messages(reader);
+      reader->SetFileName((Directory + "wrong.asc").c_str());
+      int extent[6] = { 1, 2, part ? 1 : 0, 1, 0, 0 };
+      part ? static_cast<void>(reader->UpdateExtent(extent)) : reader->Update();
+      CHECK(messages.OneError(fragment) && reader->GetOutput()->GetNumberOfPoints() == 0);
+    }
+  }
+}
+
 // Of several slices none is taken for the heights.
 void TestVolume()
 {
@@ -328,6 +417,8 @@ int TestReliefRasterPlain(int argc, char* argv[])
   TestPicture();
   TestEncodings();
   TestOrientation();
+  TestParts();
+  TestWrongParts();
   TestVolume();
   return Failures;
 }

@@ -159,11 +159,12 @@ void TestAsNeeded(std::mt19937& random)
 
 void TestWholeFormats()
 {
-  std::ofstream(Directory + "grid.asc")
-    << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n";
+  std::ofstream(Directory + "grid.mha")
+    << "ObjectType = Image\nNDims = 2\nDimSize = 2 2\nElementType = MET_UCHAR\n"
+    << "ElementDataFile = LOCAL\n1234";
   vtkNew<vtkReliefRasterReader> reader;
   MessageKeeper messages(reader);
-  reader->SetFileName((Directory + "grid.asc").c_str());
+  reader->SetFileName((Directory + "grid.mha").c_str());
   reader->ReadAsNeededOn();
   reader->Update();
   CHECK(messages.OneError("read as a whole"));
