@@ -215,13 +215,18 @@ vtkMTimeType vtkImageReliefShading::GetPipelineMTime()
 }
 
 //------------------------------------------------------------------------------
-// What the next update would shade. Returns an empty text, or what is wrong.
+// What the next update would shade, for those who can do with heights that are read as needed if
+// they ask for these, null else. Returns an empty text, or what is wrong.
 std::string vtkImageReliefShading::PrepareModel(
-  const relief::HeightField*& field, relief::Scene& scene)
+  const relief::HeightField*& field, relief::Scene& scene, relief::hosts::TiledHeights** tiled)
 {
   Internals& internal = *this->Internal;
   std::string wrong = internal.Prepare(this->UpdateInputs());
-  if (wrong.empty() && internal.Inputs.GetTiledHeights())
+  if (tiled)
+  {
+    *tiled = wrong.empty() ? internal.Inputs.GetTiledHeights() : nullptr;
+  }
+  else if (wrong.empty() && internal.Inputs.GetTiledHeights())
   {
     wrong = "the heights are read as they are needed; heights in memory are expected";
   }
@@ -231,6 +236,19 @@ std::string vtkImageReliefShading::PrepareModel(
     scene = internal.Scene.Get();
   }
   return wrong;
+}
+
+//------------------------------------------------------------------------------
+// Fills such heights where the light comes from that these samples have, by column and row.
+void vtkImageReliefShading::ProvideSamples(const std::vector<std::array<int, 2>>& samples)
+{
+  std::vector<relief::hosts::HeightSupply::Window> windows;
+  windows.reserve(samples.size());
+  for (const std::array<int, 2>& sample : samples)
+  {
+    windows.push_back({ sample[0], sample[0] + 1, sample[1], sample[1] + 1 });
+  }
+  this->Internal->GetProvider()(windows);
 }
 
 //------------------------------------------------------------------------------

@@ -43,8 +43,10 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkReliefShadingModule.h" // For export macro
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkScalarsToColors;
 
@@ -55,6 +57,10 @@ namespace relief
 {
 class HeightField;
 struct Scene;
+namespace hosts
+{
+class TiledHeights;
+}
 }
 
 class VTKRELIEFSHADING_EXPORT vtkImageReliefShading : public vtkImageAlgorithm
@@ -358,7 +364,9 @@ private:
   int Shade(vtkInformationVector** inputs, vtkInformationVector* outputs);
   vtkInformationVector** UpdateInputs();
   vtkMTimeType GetPipelineMTime();
-  std::string PrepareModel(const relief::HeightField*& field, relief::Scene& scene);
+  std::string PrepareModel(const relief::HeightField*& field, relief::Scene& scene,
+    relief::hosts::TiledHeights** tiled = nullptr);
+  void ProvideSamples(const std::vector<std::array<int, 2>>& samples);
 
   vtkImageReliefShading(const vtkImageReliefShading&) = delete;
   void operator=(const vtkImageReliefShading&) = delete;

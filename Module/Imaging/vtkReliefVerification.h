@@ -17,7 +17,11 @@
  * The output is a table with a row for each retraced sample: Column and Row, in the image's extent;
  * Illumination, as it was shaded; Reference; Error; Grazing, 1 or 0.
  *
- * The shading is updated. Without a shading or its layer Illumination (GenerateIlluminationOn),
+ * The shading is updated. Of heights that are read as they are needed only those parts are shaded
+ * that have samples to be retraced (or SetPieces() gives them), and heights are read about these.
+ * The choice of samples and all that comes out are the same.
+ *
+ * Without a shading or its layer Illumination (GenerateIlluminationOn),
  * with fixed steps, which promise nothing, and with heights that cannot be shaded there is one
  * error, the table is empty and Kept is off; so it is after an abort.
  *
@@ -30,7 +34,19 @@
 #include "vtkSmartPointer.h"        // For vtkSmartPointer
 #include "vtkTableAlgorithm.h"
 
+#include <array>      // For std::array
+#include <cstddef>    // For std::size_t
+#include <functional> // For std::function
+#include <string>     // For std::string
+#include <vector>     // For std::vector
+
+namespace relief
+{
+class IlluminationCheck;
+}
+
 class vtkImageReliefShading;
+class vtkImageData;
 
 class VTKRELIEFSHADING_EXPORT vtkReliefVerification : public vtkTableAlgorithm
 {
@@ -63,6 +79,19 @@ public:
   vtkSetMacro(Seed, unsigned int);
   vtkGetMacro(Seed, unsigned int);
   ///@}
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Where pieces come from that have been shaded already, of heights that are read as they are
+   * needed: their extents, which are all of the image and do not overlap, and a function that gives
+   * one with its layer Illumination. What that throws comes out. Default: none, for pieces to be
+   * shaded.
+   */
+  using PieceSource = std::function<vtkSmartPointer<vtkImageData>(const int extent[6])>;
+  void SetPieces(const std::vector<std::array<int, 6>>& pieces, const PieceSource& source);
+  ///@}
+#endif
 
   ///@{
   /**
@@ -124,11 +153,18 @@ protected:
 private:
   void Forget();
   std::string Verify(vtkTable* table);
+  std::string VerifyWhole(vtkTable* table);
+  std::string VerifyPieces(vtkTable* table);
+  bool Retrace(
+    relief::IlluminationCheck& check, const std::vector<std::size_t>& samples, std::size_t done);
+  void Tell(const relief::IlluminationCheck& check, const int extent[6], vtkTable* table);
 
   vtkReliefVerification(const vtkReliefVerification&) = delete;
   void operator=(const vtkReliefVerification&) = delete;
 
   vtkSmartPointer<vtkImageReliefShading> Shading;
+  std::vector<std::array<int, 6>> Pieces;
+  std::function<vtkSmartPointer<vtkImageData>(const int extent[6])> Source;
 };
 
 #endif

@@ -4,10 +4,53 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 namespace relief
 {
+
+namespace
+{
+// Shuffles all that have data, of which there may be more than memory holds: known are only those
+// that have changed places.
+void DrawOfFew(std::size_t total, std::size_t wanted, std::mt19937_64& random,
+  const std::function<bool(std::size_t)>& hasData, std::vector<std::size_t>& drawn)
+{
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < total; ++at)
+  {
+    count += hasData(at) ? 1 : 0;
+  }
+  std::unordered_map<std::size_t, std::size_t> moved;
+  const auto numberAt = [&moved](std::size_t place)
+  {
+    const auto found = moved.find(place);
+    return found != moved.end() ? found->second : place;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> numbers; // among those with data, and for which
+  const std::size_t some = std::min(wanted, count);
+  for (std::size_t k = 0; k < some; ++k)
+  {
+    const std::size_t other = k + static_cast<std::size_t>(random() % (count - k));
+    numbers.emplace_back(numberAt(other), k);
+    moved[other] = numberAt(k);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  drawn.assign(some, 0);
+  std::size_t number = 0;
+  auto next = numbers.begin();
+  for (std::size_t at = 0; at < total && next != numbers.end(); ++at)
+  {
+    if (hasData(at) && number++ == next->first)
+    {
+      drawn[next->second] = at;
+      ++next;
+    }
+  }
+}
+}
 
 std::vector<std::size_t> DrawSamples(std::size_t total, std::size_t wanted, std::uint64_t seed,
   const std::function<bool(std::size_t)>& hasData)
@@ -27,20 +70,7 @@ std::vector<std::size_t> DrawSamples(std::size_t total, std::size_t wanted, std:
   }
   if (drawn.size() < wanted)
   {
-    drawn.clear();
-    for (std::size_t at = 0; at < total; ++at)
-    {
-      if (hasData(at))
-      {
-        drawn.push_back(at);
-      }
-    }
-    const std::size_t some = std::min(wanted, drawn.size());
-    for (std::size_t k = 0; k < some; ++k)
-    {
-      std::swap(drawn[k], drawn[k + static_cast<std::size_t>(random() % (drawn.size() - k))]);
-    }
-    drawn.resize(some);
+    DrawOfFew(total, wanted, random, hasData, drawn);
   }
   return drawn;
 }
@@ -64,22 +94,26 @@ IlluminationCheck::IlluminationCheck(const HeightField& field, const Scene& scen
   }
 }
 
-void IlluminationCheck::Retrace(std::size_t begin, std::size_t end)
+IlluminationCheck::IlluminationCheck(
+  const HeightField& field, const Scene& scene, std::vector<Sample> samples)
+  : Reference(field, scene)
+  , Samples(std::move(samples))
+{
+}
+
+void IlluminationCheck::Retrace(std::size_t k)
 {
   const double promised = this->GetTolerance() + this->GetRounding();
-  for (std::size_t k = begin; k < end; ++k)
+  Sample& sample = this->Samples[k];
+  std::uint64_t cells = 0;
+  sample.reference = this->Reference.At(sample.i, sample.j, cells);
+  sample.error = std::abs(sample.d - sample.reference);
+  if (!(sample.error <= promised))
   {
-    Sample& sample = this->Samples[k];
-    std::uint64_t cells = 0;
-    sample.reference = this->Reference.At(sample.i, sample.j, cells);
-    sample.error = std::abs(sample.d - sample.reference);
-    if (!(sample.error <= promised))
-    {
-      const ReferenceIllumination::Span span = this->Reference.SpanAt(sample.i, sample.j);
-      const double beyond = std::max({ span.lo - sample.d, sample.d - span.hi, 0.0 });
-      sample.grazing = beyond <= promised;
-      sample.error = sample.grazing ? beyond : sample.error;
-    }
+    const ReferenceIllumination::Span span = this->Reference.SpanAt(sample.i, sample.j);
+    const double beyond = std::max({ span.lo - sample.d, sample.d - span.hi, 0.0 });
+    sample.grazing = beyond <= promised;
+    sample.error = sample.grazing ? beyond : sample.error;
   }
 }
 

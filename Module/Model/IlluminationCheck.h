@@ -12,7 +12,8 @@ namespace relief
 {
 
 /// Different samples of a rectangle that have data, drawn by a seed, the same on every machine: so
-/// many, or all there are. In the order in which they are drawn.
+/// many, or all there are. In the order in which they are drawn. Where few have data, `hasData` is
+/// asked for all of them, one after another, twice.
 std::vector<std::size_t> DrawSamples(std::size_t total, std::size_t wanted, std::uint64_t seed,
   const std::function<bool(std::size_t)>& hasData);
 
@@ -49,10 +50,18 @@ public:
   IlluminationCheck(const HeightField& field, const Scene& scene, const Part& part,
     std::size_t samples, std::uint64_t seed);
 
+  /// Takes samples that have data, of which i and j are known. Of SparseHeights' field, what
+  /// TileRegions finds for a sample is to be filled when it is retraced, and its illumination
+  /// known.
+  IlluminationCheck(const HeightField& field, const Scene& scene, std::vector<Sample> samples);
+
   std::size_t GetNumberOfSamples() const { return this->Samples.size(); }
 
-  /// Retraces the samples [begin, end); disjoint parts may be retraced at once.
-  void Retrace(std::size_t begin, std::size_t end);
+  /// The illumination of a sample as it was computed.
+  void SetIllumination(std::size_t k, double d) { this->Samples[k].d = d; }
+
+  /// Retraces a sample; different ones may be retraced at once.
+  void Retrace(std::size_t k);
 
   ///@{
   /// Once all are retraced. Which sample has the largest error; null without samples.

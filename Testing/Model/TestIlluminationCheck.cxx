@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
+#include <utility>
 
 using namespace relief;
 
@@ -22,13 +24,21 @@ std::vector<float> Illuminate(const HeightField& field, const Scene& scene)
   return Shade(field, scene, IlluminationOnly).illumination;
 }
 
+void Retrace(IlluminationCheck& check, std::size_t begin, std::size_t end)
+{
+  for (std::size_t k = begin; k < end; ++k)
+  {
+    check.Retrace(k);
+  }
+}
+
 IlluminationCheck Check(const HeightField& field, const Scene& scene, const std::vector<float>& d,
   std::size_t samples = All, std::uint64_t seed = 1)
 {
   const HeightView<float>& heights = field.GetField().heights;
   IlluminationCheck check(
     field, scene, { 0, 0, heights.columns, heights.rows, d.data() }, samples, seed);
-  check.Retrace(0, check.GetNumberOfSamples());
+  Retrace(check, 0, check.GetNumberOfSamples());
   return check;
 }
 
@@ -152,6 +162,56 @@ TEST(IlluminationCheck, FindsWhatIsWrong)
   }
 }
 
+// Where few have data, a list of them is shuffled, without such a list.
+TEST(DrawSamples, OfFewAreThoseOfAShuffledList)
+{
+  std::mt19937_64 random(7);
+  for (const std::size_t total : { 1, 2, 9, 400, 5000 })
+  {
+    std::vector<std::size_t> some;
+    std::set<std::size_t> with;
+    for (std::size_t at = 0; at < total; ++at)
+    {
+      if (random() % 40 == 0)
+      {
+        some.push_back(at);
+        with.insert(at);
+      }
+    }
+    for (const std::size_t wanted : { 1, 3, 60, 10000 })
+    {
+      const std::uint64_t seed = random();
+      const std::vector<std::size_t> drawn =
+        DrawSamples(total, wanted, seed, [&with](std::size_t at) { return with.count(at) > 0; });
+      // What has been drawn in vain by then counts.
+      std::mt19937_64 numbers(seed);
+      std::set<std::size_t> tried;
+      std::vector<std::size_t> expected;
+      for (std::size_t k = 0; k < 16 * wanted && 4 * wanted < total && expected.size() < wanted;
+           ++k)
+      {
+        const std::size_t at = static_cast<std::size_t>(numbers() % total);
+        if (tried.insert(at).second && with.count(at))
+        {
+          expected.push_back(at);
+        }
+      }
+      if (expected.size() < wanted)
+      {
+        expected = some;
+        const std::size_t count = std::min(wanted, expected.size());
+        for (std::size_t k = 0; k < count; ++k)
+        {
+          std::swap(
+            expected[k], expected[k + static_cast<std::size_t>(numbers() % (expected.size() - k))]);
+        }
+        expected.resize(count);
+      }
+      EXPECT_EQ(drawn, expected) << total << " " << wanted;
+    }
+  }
+}
+
 // Parts of a picture are retraced at their place.
 TEST(IlluminationCheck, TakesAPart)
 {
@@ -166,14 +226,14 @@ TEST(IlluminationCheck, TakesAPart)
       part.end(), d.begin() + j * heights.columns + 13, d.begin() + j * heights.columns + 50);
   }
   IlluminationCheck check(prepared.Field, scene, { 13, 9, 37, 21, part.data() }, All, 1);
-  check.Retrace(0, 100);
-  check.Retrace(100, check.GetNumberOfSamples());
+  Retrace(check, 0, 100);
+  Retrace(check, 100, check.GetNumberOfSamples());
   EXPECT_TRUE(check.IsKept());
   // Holes are left out.
   EXPECT_LT(check.GetNumberOfSamples(), std::size_t(37 * 21));
   EXPECT_GT(check.GetNumberOfSamples(), std::size_t(37 * 21 - 41));
   IlluminationCheck beside(prepared.Field, scene, { 14, 9, 37, 21, part.data() }, All, 1);
-  beside.Retrace(0, beside.GetNumberOfSamples());
+  Retrace(beside, 0, beside.GetNumberOfSamples());
   EXPECT_FALSE(beside.IsKept());
 }
 
