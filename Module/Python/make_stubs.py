@@ -16,7 +16,7 @@ HEAD = '''# SPDX-License-Identifier: BSD-3-Clause
 # Made by make_stubs.py when the package is built.
 
 import os
-from typing import Any, Dict, List, Literal, Mapping, Sequence, Tuple, Union, overload
+from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy
 import numpy.typing
@@ -35,6 +35,9 @@ __version__: str
 
 def parameters() -> List[Dict[str, Any]]: ...
 def shade(heights: ArrayLike, *, %(shade)s) -> ReliefImage: ...
+def shade_pieces(shading: vtkImageReliefShading, file: Union[str, os.PathLike], comm: Any = ..., *,
+                 memory: Optional[float] = ..., cloud_optimized: bool = ...,
+                 overviews: bool = ...) -> int: ...
 def update(algorithm: vtkAlgorithm) -> None: ...
 
 class ReliefWarning(UserWarning): ...

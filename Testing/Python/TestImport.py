@@ -21,11 +21,11 @@ ROOMS = {
            "vtkReliefEnvironmentImage", "vtkReliefMeshReader", "vtkReliefSceneFile"),
     "Heights": ("vtkDepthToHeightField", "vtkNormalMapToHeightField", "vtkReliefCompression"),
     "Raster": ("vtkReliefRasterReader", "vtkReliefRasterWriter"),
-    "Streaming": (),
+    "Streaming": ("vtkReliefPieceWriter",),
 }
 BUILT = os.environ.get("RELIEFSHADING_ROOMS", " ".join(ROOMS)).split()
 # Written in Python.
-FUNCTIONS = ("Relief", "ReliefImage", "ReliefWarning", "raise_errors", "shade", "update")
+FUNCTIONS = ("Relief", "ReliefImage", "ReliefWarning", "raise_errors", "shade", "shade_pieces", "update")
 CLASSES = [name for room in BUILT for name in ROOMS[room]]
 
 

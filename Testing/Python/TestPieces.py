@@ -13,15 +13,11 @@ import tempfile
 import unittest
 
 import numpy as np
-from reliefshading import vtkImageReliefShading, vtkReliefRasterReader
+from reliefshading import vtkImageReliefShading
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
-
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-TERRAIN = os.path.join(ROOT, "Examples", "Data", "jacksboro.tif")
-EXAMPLE = os.path.join(ROOT, "Examples", "Python", "ShadePieces.py")
 
 MPIRUN = shutil.which("mpirun")
 HAS_MPI = bool(MPIRUN and importlib.util.find_spec("mpi4py")
@@ -134,31 +130,6 @@ class TestPieces(unittest.TestCase):
                     self.assertLess(piece["largest"], 0.6 * SIZE * SIZE)
             self.assertTrue((seen > 0).all())
             self.assertGreater((seen > 1).sum(), 2 * GHOSTS * SIZE - 1 if processes > 1 else -1)
-
-    def test_example(self):
-        from vtkmodules.vtkIOXML import vtkXMLPImageDataReader
-        heights = vtkReliefRasterReader()
-        heights.SetFileName(TERRAIN)
-        heights.Update()
-        least, greatest = heights.GetOutput().GetScalarRange()
-        shading = vtkImageReliefShading()
-        shading.SetInputConnection(heights.GetOutputPort())
-        shading.SetMaskConnection(heights.GetMaskOutputPort())
-        shading.GetScene().AddSun(315.0, 30.0)
-        shading.Update()
-        whole = arrays(shading.GetOutput())["Shading"]
-        for processes in (1, 2, 4):
-            picture = os.path.join(self.folder.name, f"relief{processes}.pvti")
-            done = run(processes, EXAMPLE, TERRAIN, repr(least), repr(greatest), picture)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            # Open MPI may have something to say of the machine's network.
-            self.assertNotRegex(done.stderr, "ERR:|ERROR:|Warn:|Traceback")
-            reader = vtkXMLPImageDataReader()
-            reader.SetFileName(picture)
-            reader.Update()
-            self.assertEqual(arrays(reader.GetOutput())["Shading"].tobytes(), whole.tobytes())
-            with open(picture, encoding="utf-8") as file:
-                self.assertEqual(file.read().count("<Piece "), processes)
 
 
 if __name__ == "__main__":
