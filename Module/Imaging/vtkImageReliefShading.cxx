@@ -239,7 +239,8 @@ std::string vtkImageReliefShading::PrepareModel(
 }
 
 //------------------------------------------------------------------------------
-// Fills such heights where the light comes from that these samples have, by column and row.
+// Fills such heights where the light comes from that these samples have, by column and row: all of
+// them, whatever may be left out of larger parts.
 void vtkImageReliefShading::ProvideSamples(const std::vector<std::array<int, 2>>& samples)
 {
   std::vector<relief::hosts::HeightSupply::Window> windows;
@@ -248,7 +249,9 @@ void vtkImageReliefShading::ProvideSamples(const std::vector<std::array<int, 2>>
   {
     windows.push_back({ sample[0], sample[0] + 1, sample[1], sample[1] + 1 });
   }
-  this->Internal->GetProvider()(windows);
+  Internals& internal = *this->Internal;
+  internal.Inputs.GetTiledHeights()->Provide(internal.Scene.Get(), internal.Scene.GetVersion(),
+    windows, relief::hosts::TiledHeights::Limit());
 }
 
 //------------------------------------------------------------------------------

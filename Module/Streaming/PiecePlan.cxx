@@ -17,6 +17,10 @@ namespace relief::streaming
 {
 namespace
 {
+/// Of the memory that a run may take, what pieces and bounds may. The rest is for the program
+/// itself, and for what files are read through.
+constexpr double MemoryShare = 0.7;
+
 //------------------------------------------------------------------------------
 /// What is in memory while a piece is shaded and the one before is saved.
 double BytesOf(vtkImageReliefShading* shading, const PieceExtent& piece, double sampleBytes)
@@ -74,9 +78,7 @@ PiecePlan::PiecePlan(
   constexpr int usualPieces = 64;
   const int columns = extent[1] - extent[0] + 1;
   const int rows = extent[3] - extent[2] + 1;
-  // The rest is for the program itself, the bounds of all heights, and what files are read through.
-  constexpr double share = 0.7;
-  const double left = share * memory - BoundsBytes * columns * rows;
+  this->Room = MemoryShare * memory - BoundsBytes * columns * rows;
   this->Columns = (columns + region - 1) / region * region;
   this->Rows = region * std::clamp(rows / usualPieces / region, 1, 16);
   for (;;)
@@ -86,13 +88,14 @@ PiecePlan::PiecePlan(
     for (const PieceExtent& piece : this->Pieces)
     {
       largest = std::max(largest, BytesOf(shading, piece, sampleBytes));
-      if (largest > left)
+      if (largest > this->Room)
       {
         break;
       }
     }
-    if (largest <= left)
+    if (largest <= this->Room)
     {
+      this->Fit = true;
       return;
     }
     if (this->Rows > region)
@@ -105,10 +108,28 @@ PiecePlan::PiecePlan(
     }
     else
     {
-      this->Lacking = largest / share;
       return;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+double PiecePlan::MemoryFor(double bytes) const
+{
+  const double samples =
+    (this->Whole[1] - this->Whole[0] + 1.0) * (this->Whole[3] - this->Whole[2] + 1.0);
+  return (bytes + BoundsBytes * samples) / MemoryShare;
+}
+
+//------------------------------------------------------------------------------
+double PiecePlan::FindLargest(vtkImageReliefShading* shading, double sampleBytes) const
+{
+  double largest = 0.0;
+  for (const PieceExtent& piece : this->Pieces)
+  {
+    largest = std::max(largest, BytesOf(shading, piece, sampleBytes));
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------

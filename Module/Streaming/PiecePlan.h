@@ -36,8 +36,15 @@ public:
   /// shaded while the one before is saved.
   PiecePlan(vtkImageReliefShading* shading, const int extent[6], double memory, double sampleBytes);
 
-  /// The memory that would do, where the least piece takes more than there is; else 0.
-  double GetLacking() const { return this->Lacking; }
+  /// Whether that could be done; else the pieces are the least there are.
+  bool Fits() const { return this->Fit; }
+
+  /// What pieces may take of the memory, in bytes, and what memory pieces of so many bytes want.
+  double GetRoom() const { return this->Room; }
+  double MemoryFor(double bytes) const;
+
+  /// What the largest of the pieces takes.
+  double FindLargest(vtkImageReliefShading* shading, double sampleBytes) const;
 
   ///@{
   /// Columns and rows of a piece; those at the border have fewer.
@@ -61,7 +68,8 @@ private:
   PieceExtent Whole{ 0, -1, 0, -1, 0, -1 };
   int Columns = 0;
   int Rows = 0;
-  double Lacking = 0.0;
+  double Room = 0.0;
+  bool Fit = false;
   std::vector<PieceExtent> Pieces;
 };
 

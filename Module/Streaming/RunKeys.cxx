@@ -187,6 +187,10 @@ std::string KeyOfShading(vtkImageReliefShading* shading)
     text << "range: " << shading->GetHeightRange()[0] << " " << shading->GetHeightRange()[1]
          << "\n";
   }
+  if (shading->GetBeyondMemory() == vtkImageReliefShading::BeyondMemoryBounds)
+  {
+    text << "heights by bounds: beyond " << shading->GetHeightMemoryLimit() << " KiB\n";
+  }
   text << "numbers: " << (shading->GetOutputScalarType() == VTK_FLOAT ? "float" : "uint8")
        << "\narrays:";
   for (const std::string& array : ArraysOf(shading))

@@ -234,13 +234,14 @@ void vtkReliefPieceWriter::Internals::Open()
   this->Arrays = relief::streaming::ArraysOf(shading);
   this->Plan = PiecePlan(shading, this->Place->GetExtent(),
     1024.0 * static_cast<double>(this->Self->MemoryLimit), BytesOf(shading, this->Arrays));
-  if (this->Plan.GetLacking() > 0.0)
+  if (!this->Plan.Fits())
   {
+    const double wanted =
+      this->Plan.MemoryFor(this->Plan.FindLargest(shading, BytesOf(shading, this->Arrays)));
     throw Failure(vtkErrorCode::UnknownError,
       "MemoryLimit: the least piece, " + std::to_string(this->Plan.GetColumns()) + " x " +
         std::to_string(this->Plan.GetRows()) + " samples, takes more; give at least " +
-        std::to_string(static_cast<long long>(std::ceil(this->Plan.GetLacking() / 1024.0))) +
-        " KiB");
+        std::to_string(static_cast<long long>(std::ceil(wanted / 1024.0))) + " KiB");
   }
   using relief::streaming::RunFolder;
   this->Store = std::make_unique<TileStore>(std::string(this->Self->FileName) + ".parts",

@@ -5,6 +5,7 @@ are stopped, too, and from several processes."""
 import array
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -43,10 +44,11 @@ class Memory(Case):
         return sorted(n for n in os.listdir(self.path(PARTS))
                       if n[0].isdigit()) if os.path.isdir(self.path(PARTS)) else []
 
-    def assertSame(self, *words, names=("%s.tif",)):
-        self.good("a.tif", "whole.tif", *words)
-        self.good("a.tif", "tiles.tif", *words, *MEMORY)
-        self.assertTrue(os.path.exists(self.path("a.tif.bounds.tif")), "it was shaded in pieces")
+    def assertSame(self, *words, names=("%s.tif",), heights="a.tif"):
+        whole = self.good(heights, "whole.tif", *words)
+        tiles = self.good(heights, "tiles.tif", *words, *MEMORY)
+        self.assertEqual(tiles, whole)
+        self.assertTrue(os.path.exists(self.path(heights + ".bounds.tif")), "it was shaded in pieces")
         for name in names:
             self.assertEqual(self.bytes_(name % "tiles"), self.bytes_(name % "whole"), words)
         self.assertFalse(os.path.exists(self.path(PARTS)))
@@ -85,6 +87,129 @@ class Pictures(Memory):
         header = subprocess.run(["iinfo", "-v", "tiles.exr"], cwd=self.folder, capture_output=True,
                                 text=True).stdout
         self.assertIn("tile size: 64 x 64", header)
+
+    def attributes(self, name):
+        """What the header of an OpenEXR file says, but for how it is stored."""
+        text = self.tool("exrheader", name).replace(name, "")
+        return [line for line in text.splitlines()
+                if not re.match(r"file format version|type |tiles |tile size|tiled image|single level|level |rounding", line.strip())]
+
+    @unittest.skipUnless(shutil.which("idiff") and shutil.which("exrheader"), "needs idiff and exrheader")
+    def test_layers_in_one_file(self):
+        look = ("--sun", "300,10", "--ks", "0.3", "--base", "0.1,0.2,0.3", "--verify", "20")
+        south = ("-a_ullr", "5000", "7000", "21120", "20760", "-a_srs", "EPSG:32611")  # its first row
+        for options, words in (((), ["%s.tif", "--layers", "%s-l.exr"]),
+                               ((), ["--layers", "normals,thickness,%s-l.exr"]),
+                               ((), ["%s.tif", "--type", "float", "--layers", "base,%s-l.exr"]),
+                               (south, ["%s.tif", "--layers", "illumination,%s-l.exr"])):
+            self.translate(*options)
+            told = [self.good("a.tif", *(w.replace("%s", name) for w in words), *look, *memory)
+                    for name, memory in (("w", ()), ("t", MEMORY))]
+            self.assertEqual(told[0], told[1])
+            self.assertTrue(os.path.exists(self.path("a.tif.bounds.tif")), "it was shaded in pieces")
+            result = subprocess.run(["idiff", "-a", "-fail", "0", "w-l.exr", "t-l.exr"],
+                                    cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual(result.returncode, 0, result.stdout)
+            self.assertEqual(self.attributes("t-l.exr"), self.attributes("w-l.exr"))
+            self.assertIn("tile size", self.tool("exrheader", "t-l.exr"))
+            if "%s.tif" in words:
+                self.assertEqual(self.bytes_("t.tif"), self.bytes_("w.tif"))
+                self.assertEqual(sorted(n for n in os.listdir(self.folder) if "parts" in n), [])
+
+    def test_grids_of_esri(self):
+        self.tool("gdal_translate", "-q", "-of", "AAIGrid", "a.tif", "a.asc")
+        self.assertSame("--sun", "300,20", heights="a.asc")
+        # Points that are commas, and commas that part numbers.
+        with open(self.path("a.asc")) as stream:
+            lines = stream.read().splitlines()
+        head = next(k for k, line in enumerate(lines) if line.split()[0] == "cellsize") + 1
+        head += lines[head].lower().startswith("nodata")
+        for name, old, new in (("commas.asc", ".", ","), ("parted.asc", " ", ", ")):
+            with open(self.path(name), "w") as stream:
+                stream.write("\n".join(lines[:head] + [line.strip().replace(old, new) + ("," if new == ", " else "")
+                                                       for line in lines[head:]])[:-1 if new == ", " else None])
+            shutil.copy(self.path("a.prj"), self.path(name.replace(".asc", ".prj")))
+            self.good(name, "tiles.tif", "--sun", "300,20", *MEMORY)
+            self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"), name)
+        # A mark before the text, with which GDAL does not know it.
+        with open(self.path("marked.asc"), "w", encoding="utf-8-sig") as stream:
+            stream.write("\n".join(lines))
+        shutil.copy(self.path("a.prj"), self.path("marked.prj"))
+        self.good("marked.asc", "tiles.tif", "--sun", "300,20", *MEMORY)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+        self.assertTrue(os.path.exists(self.path("marked.asc.bounds.tif")))
+        # A word that is no number is told by its line, as of the whole.
+        lines[head + 700] = lines[head + 700].replace(" ", " x", 3)
+        with open(self.path("wrong.asc"), "w") as stream:
+            stream.write("\n".join(lines))
+        said = [self.bad(1, "line %d" % (head + 701), "wrong.asc", "o.tif", *words) for words in ((), MEMORY)]
+        self.assertEqual(said[0], said[1])
+
+    def test_heights_in_three_bytes(self):
+        size = self.info("a.tif")["size"]
+        heights = self.values("a.tif")
+        for encoding, code in (("terrarium", lambda h: int((h + 32768) * 256)),
+                               ("terrain-rgb", lambda h: int((h + 10000) * 10))):
+            with open(self.path("rgb.ppm"), "wb") as stream:
+                stream.write(b"P6 %d %d 255\n" % tuple(size))
+                stream.write(b"".join(code(h).to_bytes(3, "big") for h in heights))
+            name = encoding + ".tif"
+            self.tool("gdal_translate", "-q", "-a_ullr", "0", "13760", "16120", "0", "-a_srs", "EPSG:32611",
+                      "rgb.ppm", name)
+            self.assertSame("--encoding", encoding, "--sun", "300,15", heights=name)
+        # Bounds are not those of another reading.
+        self.good(name, "whole.tif", "--encoding", "terrarium", "--quiet")
+        self.good(name, "tiles.tif", "--encoding", "terrarium", "--quiet", *MEMORY)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+
+    def test_undeclared_no_data(self):
+        # 0 lies far from all others where these are high.
+        for value, rows, scale in (("-9999", range(700, 720), ()), ("99999", range(1300, 1302), ()),
+                                   ("0", range(0, 30), ("-scale", "0", "1000", "5000", "5300"))):
+            self.tool("gdal_translate", "-q", "-of", "AAIGrid", *scale, "a.tif", "b.asc")
+            with open(self.path("b.asc")) as stream:
+                lines = stream.read().splitlines()
+            head = next(k for k, line in enumerate(lines) if line.split()[0] == "cellsize") + 1
+            head += lines[head].lower().startswith("nodata")
+            kept = [line for line in lines[:head] if not line.lower().startswith("nodata")]
+            text = list(lines)
+            for row in rows:
+                words = text[head + row].split()
+                text[head + row] = " ".join([value] * 40 + words[40:])
+            with open(self.path("b.asc"), "w") as stream:
+                stream.write("\n".join(kept + text[head:]) + "\n")
+            for kind in ("Float32", "Int16" if value != "99999" else "Int32", "asc"):
+                name = "b.asc" if kind == "asc" else "b.tif"
+                if kind != "asc":
+                    self.tool("gdal_translate", "-q", "-ot", kind, "b.asc", name)
+                whole = self.run_(name, "whole.tif")
+                self.assertIn(" %s in %d of " % (value, 40 * len(rows)), whole.stderr)
+                for _ in range(2):  # by a pass, then by what it has kept
+                    tiles = self.run_(name, "tiles.tif", *MEMORY)
+                    self.assertEqual((tiles.returncode, tiles.stderr), (whole.returncode, whole.stderr))
+                    self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+                self.assertTrue(os.path.exists(self.path(name + ".bounds.tif")))
+                self.good(name, "tiles.tif", "--nodata", "none", *MEMORY)
+                self.good(name, "tiles.tif", "--nodata", value, *MEMORY)
+
+    def test_verification(self):
+        # A part without data, in which samples are drawn in vain.
+        self.tool("gdal_translate", "-q", "-ot", "Int16", "a.tif", "i.tif")
+        self.tool("gdal_translate", "-q", "-a_nodata", "282", "i.tif", "n.tif")
+        for heights in ("a.tif", "n.tif"):
+            self.assertSame("--verify", "300,5", "--sun", "300,8", heights=heights)
+        self.assertSame("--verify", "40", "--preset", "sky-dome")
+        told = [self.good("a.tif", "--verify", "10,3", *words) for words in ((), MEMORY)]
+        self.assertIn("verified: 10 samples, seed 3", told[0])
+        self.assertEqual(told[0], told[1])
+        self.assertEqual([n for n in os.listdir(self.folder) if n.endswith(".parts")], [])
+
+    def test_verification_where_few_have_data(self):
+        self.tool("gdal_translate", "-q", "-ot", "Byte", "-scale", "280", "300", "1", "0", "a.tif", "few.tif")
+        self.good("a.tif", "whole.tif", "--mask", "few.tif")  # that there are any
+        told = [self.good("a.tif", "--mask", "few.tif", "--verify", "30000,2", "--sun", "300,30", *words)
+                for words in ((), MEMORY)]
+        self.assertEqual(told[0], told[1])
 
     def test_a_mask_that_is_given(self):
         subprocess.run(["gdal_translate", "-q", "-ot", "Byte", "-scale", "300", "700", "0", "4", "a.tif",
@@ -194,6 +319,21 @@ class Stopped(Memory):
         left = [n for n in os.listdir(self.folder) if n.startswith(".") and "before" in n]
         self.assertEqual(left, [])
 
+    def test_verified_where_it_goes_on(self):
+        whole = self.good("a.tif", "whole.tif", *self.WORDS, "--verify", "60")
+        process = self.start("--verify", "60")
+        end = time.monotonic() + 300
+        while len(self.pieces()) < 3 and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.001)
+        process.kill()
+        process.wait()
+        process.stderr.close()
+        if process.returncode == 0:
+            self.skipTest("it was done before it could be stopped")
+        tiles = self.good("a.tif", "tiles.tif", *self.WORDS, *MEMORY, "--verify", "60")
+        self.assertEqual(tiles, whole)
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+
     def test_interrupted(self):
         code = self.stopAfter(2, signal.SIGINT)
         if code == 0:
@@ -278,8 +418,7 @@ class Errors(Memory):
         self.bad(1, ["--memory", "kept", "TIFF or OpenEXR"], "a.tif", "o.png", "--memory", "10M")
 
     def test_what_needs_all_heights(self):
-        for words in (("--smooth-steps",), ("--verify", "10"), ("--accuracy-report", "r.csv"),
-                      ("--layers", "base,l.exr")):
+        for words in (("--smooth-steps",), ("--accuracy-report", "r.csv")):
             said = self.bad(1, [words[0], "all heights in memory"], "a.tif", "o.tif", *words, *MEMORY)
             self.assertIn("--memory", said)
 
@@ -405,6 +544,17 @@ class Processes(Memory):
             for name in ("%s.tif", "%s-illumination.tif"):
                 self.assertEqual(self.bytes_(name % "tiles"), self.bytes_(name % "whole"), count)
             self.assertFalse(os.path.exists(self.path(PARTS)))
+
+    @unittest.skipUnless(shutil.which("idiff"), "needs idiff of OpenImageIO")
+    def test_layers_in_one_file(self):
+        words = ("--sun", "300,10", "--layers", "illumination,base,%s.exr", "--verify", "20")
+        whole = self.good("a.tif", "whole.tif", *(w.replace("%s", "w") for w in words))
+        result = self.mpi(3, "a.tif", "tiles.tif", *(w.replace("%s", "t") for w in words), *MEMORY)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, whole, ""))
+        self.assertEqual(self.bytes_("tiles.tif"), self.bytes_("whole.tif"))
+        compared = subprocess.run(["idiff", "-a", "-fail", "0", "w.exr", "t.exr"], cwd=self.folder,
+                                  capture_output=True, text=True)
+        self.assertEqual(compared.returncode, 0, compared.stdout)
 
     def test_one_of_them_killed(self):
         words = ("--preset", "sky-dome")

@@ -6,6 +6,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -30,6 +31,17 @@ public:
 
   /// `bytes` are those from one row to the next in memory.
   virtual void Write(int rows, const void* first, std::ptrdiff_t bytes) = 0;
+  virtual void Finish() = 0;
+};
+
+/// A file of colour and layers that is written some rows at a time, the upper ones first.
+class LayerRows
+{
+public:
+  virtual ~LayerRows() = default;
+
+  /// The next rows, the scalars being linear colour, and all of the layers.
+  virtual void Write(vtkImageData* part) = 0;
   virtual void Finish() = 0;
 };
 
@@ -72,9 +84,11 @@ public:
   virtual std::unique_ptr<PictureRows> NewTiledPicture(
     const std::string& file, const int size[2], int components) const = 0;
 
-  /// A vtkOpenEXRLayerWriter that does, too.
-  virtual vtkSmartPointer<vtkImageWriter> NewLayerWriter(
-    vtkReliefScene* scene, const std::map<std::string, std::string>& attributes) const = 0;
+  /// A LayerFile of Module/IO, for an image of this size and place, in tiles or lines; `goOn` is
+  /// asked whether to. Throws a Failure or Aborted of Module/Files, as its functions do.
+  virtual std::unique_ptr<LayerRows> NewLayerRows(const std::string& file, vtkImageData* place,
+    vtkReliefScene* scene, const std::map<std::string, std::string>& attributes, bool tiled,
+    const std::function<bool()>& goOn) const = 0;
 
   /// Paints a drawing on white, as 8-bit red, green and blue.
   virtual vtkSmartPointer<vtkImageData> Paint(const Drawing& drawing) const = 0;

@@ -8,8 +8,8 @@
 #include "Watch.h"
 
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkImageReliefShading.h"
-#include "vtkImageWriter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -129,6 +129,15 @@ void generateLayers(const LayerNames& layers, vtkImageReliefShading* shading)
 }
 
 //------------------------------------------------------------------------------
+void generateColor(vtkImageReliefShading* shading)
+{
+  if (shading->GetOutputScalarType() != VTK_FLOAT)
+  {
+    generateLayers(Summands, shading);
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string& layer)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -169,33 +178,38 @@ LayersWriter::LayersWriter(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void LayersWriter::Prepare(vtkImageReliefShading* shading) const
+LayersWriter::~LayersWriter() = default;
+
+//------------------------------------------------------------------------------
+void LayersWriter::Try(const std::function<void()>& step) const
 {
-  if (shading->GetOutputScalarType() != VTK_FLOAT)
-  {
-    generateLayers(Summands, shading);
-  }
+  aboutFile(this->File.Target(),
+    [&]
+    {
+      try
+      {
+        step();
+      }
+      catch (const relief::io::Failure& failure)
+      {
+        throw relief::io::Failure(failure.Code, this->File.Reword(failure.what()));
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-void LayersWriter::Write(
-  vtkImageReliefShading* shading, const LayerNames& layers, const GeoReference& reference) const
+void LayersWriter::Begin(vtkImageReliefShading* shading, const LayerNames& layers,
+  const GeoReference& reference, bool tiled)
 {
-  vtkImageData* result = shading->GetOutput();
-  vtkNew<vtkImageData> image;
-  image->CopyStructure(result);
-  vtkPointData* data = image->GetPointData();
-  data->SetScalars(shading->GetOutputScalarType() == VTK_FLOAT
-      ? result->GetPointData()->GetScalars()
-      : sumOfLayers(result));
-  for (const std::string& layer : layers)
-  {
-    data->AddArray(layerArray(result, layer));
-  }
+  this->Layers = layers;
+  // Where the image lies; its samples are given row by row.
+  auto* heights = vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0));
+  vtkNew<vtkImageData> place;
+  place->CopyStructure(heights);
   std::map<std::string, std::string> attributes;
   if (reference.Present)
   {
-    attributes["geo:transform"] = transformText(reference, image->GetDimensions()[1]);
+    attributes["geo:transform"] = transformText(reference, place->GetDimensions()[1]);
   }
   if (!reference.Crs.empty())
   {
@@ -210,17 +224,46 @@ void LayersWriter::Write(
       attributes[name] = found->second;
     }
   }
-  const vtkSmartPointer<vtkImageWriter> writer =
-    imageFormats().NewLayerWriter(shading->GetScene(), attributes);
-  writer->SetFileName(this->File.Name().c_str());
-  writer->SetInputData(image);
-  watch(writer, false);
-  writer->Write();
-  stopIfInterrupted();
-  if (hasError())
+  this->Try(
+    [&]
+    {
+      this->Rows = imageFormats().NewLayerRows(this->File.Name(), place, shading->GetScene(),
+        attributes, tiled, [] { return !interrupted(); });
+    });
+}
+
+//------------------------------------------------------------------------------
+void LayersWriter::WriteRows(vtkImageData* part)
+{
+  vtkNew<vtkImageData> rows;
+  rows->CopyStructure(part);
+  vtkPointData* data = rows->GetPointData();
+  vtkDataArray* colors = part->GetPointData()->GetScalars();
+  const vtkSmartPointer<vtkDataArray> linear = colors->GetDataType() == VTK_FLOAT
+    ? vtkSmartPointer<vtkDataArray>(colors)
+    : vtkSmartPointer<vtkDataArray>(sumOfLayers(part));
+  data->SetScalars(linear);
+  for (const std::string& layer : this->Layers)
   {
-    throw Failure(this->File.Target(), this->File.Reword(takeError()));
+    data->AddArray(layerArray(part, layer));
   }
+  this->Try([&] { this->Rows->Write(rows); });
+}
+
+//------------------------------------------------------------------------------
+void LayersWriter::Finish()
+{
+  this->Try([&] { this->Rows->Finish(); });
+  this->Rows.reset();
+}
+
+//------------------------------------------------------------------------------
+void LayersWriter::Write(
+  vtkImageReliefShading* shading, const LayerNames& layers, const GeoReference& reference)
+{
+  this->Begin(shading, layers, reference, false);
+  this->WriteRows(shading->GetOutput());
+  this->Finish();
 }
 
 }

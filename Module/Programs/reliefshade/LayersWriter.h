@@ -5,6 +5,8 @@
 #include "OutputFile.h"
 #include "RasterFiles.h"
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,8 @@ class vtkImageReliefShading;
 
 namespace reliefshade
 {
+
+class LayerRows;
 
 /// Layers by the names that they have on the command line.
 using LayerNames = std::vector<std::string>;
@@ -34,25 +38,41 @@ vtkSmartPointer<vtkImageData> layerImage(vtkImageData* result, const std::string
 /// The layer of the shadow as a grey picture, 255 in shadow; transparent where there is no data.
 vtkSmartPointer<vtkImageData> maskImage(vtkImageData* result);
 
-/// Writes one OpenEXR file of linear colour and layers, which is to be kept when all is written.
+/// Switches on what the linear colour is made of, where the picture itself will not hold it.
+void generateColor(vtkImageReliefShading* shading);
+
+/// Writes one OpenEXR file of linear colour and layers, which is to be kept when all is written,
+/// some rows at a time.
 class LayersWriter
 {
 public:
   /// Finds out at once whether the place can be written. Throws a Failure that names the file.
   explicit LayersWriter(const std::string& file);
+  ~LayersWriter();
 
-  /// Switches on what the colour is made of, where the picture itself will not hold it.
-  void Prepare(vtkImageReliefShading* shading) const;
+  ///@{
+  /// Writes under the staged name, of a shading that generateColor() was asked for: rows by rows,
+  /// the upper ones first, of the whole width. `tiled` where not all of them are in memory at once:
+  /// the file is in tiles then. Throws a Failure.
+  void Begin(vtkImageReliefShading* shading, const LayerNames& layers,
+    const GeoReference& reference, bool tiled);
+  void WriteRows(vtkImageData* part);
+  void Finish();
+  ///@}
 
-  /// Writes under the staged name. Throws a Failure.
+  /// All of these, of what has been shaded.
   void Write(
-    vtkImageReliefShading* shading, const LayerNames& layers, const GeoReference& reference) const;
+    vtkImageReliefShading* shading, const LayerNames& layers, const GeoReference& reference);
 
   /// Takes the target's name once it is kept.
   OutputFile& GetFile() { return this->File; }
 
 private:
+  void Try(const std::function<void()>& step) const;
+
   OutputFile File;
+  LayerNames Layers;
+  std::unique_ptr<LayerRows> Rows;
 };
 
 }

@@ -5,16 +5,18 @@
 #include "LoadedFormats.h"
 
 #include "DrawingPicture.h"
+#include "LayerFile.h"
 #include "TiledPicture.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkOpenEXRLayerWriter.h"
 #include "vtkOpenImageIOReader.h"
 #include "vtkOpenImageIOWriter.h"
 #include "vtkReliefMeshReader.h"
 #include "vtkReliefScene.h"
 #include "vtkReliefSceneFile.h"
+
+#include <utility>
 
 namespace
 {
@@ -34,6 +36,26 @@ public:
 
 private:
   relief::io::TiledPicture Picture;
+};
+
+class LayersInRows : public reliefshade::LayerRows
+{
+public:
+  LayersInRows(const std::string& file, vtkImageData* place, const relief::io::LayerForm& form,
+    std::function<bool()> goOn)
+    : File(file, false, place, form)
+    , GoOn(std::move(goOn))
+  {
+  }
+  void Write(vtkImageData* part) override
+  {
+    this->File.Write(part, [this](double) { return this->GoOn(); });
+  }
+  void Finish() override { this->File.Finish(); }
+
+private:
+  relief::io::LayerFile File;
+  std::function<bool()> GoOn;
 };
 
 class LoadedFormats : public reliefshade::ImageFormats
@@ -100,17 +122,15 @@ public:
     return std::make_unique<TiledRows>(file, size, components);
   }
 
-  vtkSmartPointer<vtkImageWriter> NewLayerWriter(
-    vtkReliefScene* scene, const std::map<std::string, std::string>& attributes) const override
+  std::unique_ptr<reliefshade::LayerRows> NewLayerRows(const std::string& file, vtkImageData* place,
+    vtkReliefScene* scene, const std::map<std::string, std::string>& attributes, bool tiled,
+    const std::function<bool()>& goOn) const override
   {
-    auto writer = vtkSmartPointer<vtkOpenEXRLayerWriter>::New();
-    writer->StagingOff();
-    writer->SetScene(scene);
-    for (const auto& attribute : attributes)
-    {
-      writer->SetAttribute(attribute.first, attribute.second.c_str());
-    }
-    return writer;
+    relief::io::LayerForm form;
+    form.TileSize = tiled ? 64 : 0;
+    form.Scene = scene;
+    form.Attributes = attributes;
+    return std::make_unique<LayersInRows>(file, place, form, goOn);
   }
 
   vtkSmartPointer<vtkImageData> Paint(const reliefshade::Drawing& drawing) const override

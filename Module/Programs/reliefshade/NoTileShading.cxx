@@ -9,6 +9,10 @@
 
 namespace relief::streaming
 {
+class PiecePlan
+{
+};
+
 class TileStore
 {
 };
@@ -58,9 +62,19 @@ TileShading::~TileShading() = default;
 void TileShading::ShadeShare(const RunPart&, ShadingReport&) {}
 
 //------------------------------------------------------------------------------
-ShadingReport TileShading::Shade(bool, const RunPart&, const std::function<void(vtkImageData*)>&)
+void TileShading::HandOver(bool, ShadingReport&, const std::function<void(vtkImageData*)>&) const {}
+
+//------------------------------------------------------------------------------
+const std::vector<std::array<int, 6>>& TileShading::GetPieces() const
 {
-  return ShadingReport();
+  static const std::vector<std::array<int, 6>> none;
+  return none;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> TileShading::LoadLayer(const int*, const std::string&) const
+{
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------

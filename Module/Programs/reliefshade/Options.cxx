@@ -374,7 +374,8 @@ void addRunOptions(OptionParser& parser, Options& options)
     "Memory to keep to, in bytes, or with K, M, G or T behind the number. Heights that do not fit "
     "are read as they are needed, and shaded in pieces, which wait in the folder OUTPUT.parts "
     "until "
-    "all are done. The picture is the same. A run that has been stopped goes on where it was when "
+    "all are done. The picture, layers and what --verify tells are the same. A run that has been "
+    "stopped goes on where it was when "
     "the same is asked for again. Default: all of the machine's, unless --memory-limit is given",
     [&options](const std::string& word) { options.Memory = toBytes("--memory", word); });
   parser.Choice("--beyond-memory",

@@ -164,7 +164,7 @@ Outputs::Outputs(const Options& options, Raster& raster, MemoryBudget& budget)
 void Outputs::Begin(vtkImageReliefShading* shading)
 {
   const std::string verified = this->Given.VerifiedSamples > 0
-    ? verify(shading, this->Given, showsBar(this->Given))
+    ? verify(shading, this->Given, this->Tiles ? &*this->Tiles : nullptr, showsBar(this->Given))
     : std::string();
   if (this->Layers || writesTiff(this->Given))
   {
@@ -183,6 +183,10 @@ void Outputs::Begin(vtkImageReliefShading* shading)
   if (this->Mask)
   {
     this->Mask->Begin(size);
+  }
+  if (this->Layers)
+  {
+    this->Layers->Begin(shading, this->Given.Layers, this->Reference, isTiled(this->Heights));
   }
 }
 
@@ -214,7 +218,7 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
   }
   if (this->Layers)
   {
-    this->Layers->Write(shading, this->Given.Layers, this->Reference);
+    this->Layers->Finish();
     files.push_back(&this->Layers->GetFile());
   }
   for (const auto& picture : this->LayerPictures)
@@ -248,6 +252,44 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
 }
 
 //------------------------------------------------------------------------------
+/// The same of heights that do not fit into memory.
+ShadingReport Outputs::WritePieces(vtkImageReliefShading* shading, bool upward, const RunPart& part)
+{
+  ShadingReport report;
+  this->Tiles.emplace(this->Given, this->Heights, shading, shadedBytes(this->Given));
+  // What headers say of a verification is known when all pieces are there; else it is found out
+  // first whether files can be written.
+  const bool verifies = this->Given.VerifiedSamples > 0;
+  if (!verifies)
+  {
+    this->Begin(shading);
+  }
+  this->Tiles->ShadeShare({ part.Begin, 0.9 * part.Length }, report);
+  if (verifies)
+  {
+    this->Begin(shading);
+  }
+  const std::function<void(vtkImageData*)> layers = [this](vtkImageData* band)
+  { this->Layers->WriteRows(band); };
+  const bool together = this->Layers && !upward;
+  this->Tiles->HandOver(upward, report,
+    [&](vtkImageData* band)
+    {
+      this->WriteRows(band);
+      if (together)
+      {
+        layers(band);
+      }
+    });
+  if (this->Layers && upward)
+  {
+    ShadingReport again;                         // has been told
+    this->Tiles->HandOver(false, again, layers); // once more, as OpenEXR has its rows
+  }
+  return report;
+}
+
+//------------------------------------------------------------------------------
 ShadingReport Outputs::Write(
   vtkImageReliefShading* shading, vtkReliefScene* scene, const RunPart& part)
 {
@@ -267,7 +309,7 @@ ShadingReport Outputs::Write(
     const bool upward = (this->Picture && this->Picture->IsUpward()) ||
       (this->Mask && this->Mask->IsUpward()) ||
       (!this->LayerPictures.empty() && this->LayerPictures.front()->IsUpward());
-    if (!atOnce)
+    if (!atOnce && !isTiled(this->Heights))
     {
       this->Begin(shading);
     }
@@ -278,16 +320,14 @@ ShadingReport Outputs::Write(
         this->Begin(shading);
       }
       this->WriteRows(band);
+      if (this->Layers)
+      {
+        this->Layers->WriteRows(band);
+      }
     };
-    if (isTiled(this->Heights))
-    {
-      this->Tiles.emplace(this->Given, this->Heights, shading, shadedBytes(this->Given));
-      report = this->Tiles->Shade(upward, part, take);
-    }
-    else
-    {
-      report = shadeBands(shading, this->Given.Input, rows, upward, part, take);
-    }
+    report = isTiled(this->Heights)
+      ? this->WritePieces(shading, upward, part)
+      : shadeBands(shading, this->Given.Input, rows, upward, part, take);
   }
   printWarnings(this->Given);
   this->Finish(shading, scene);

@@ -47,15 +47,13 @@ public:
   /// Finds out at once whether all of them can be written. Throws a Failure.
   Outputs(const Options& options, Raster& raster, MemoryBudget& budget);
 
-  /// The file of the colour and the layers, if there is one.
-  const LayersWriter* GetLayersWriter() const { return this->Layers ? &*this->Layers : nullptr; }
-
   /// Shades and writes, which is a part of the run. The scene is the one to be kept.
   ShadingReport Write(vtkImageReliefShading* shading, vtkReliefScene* scene, const RunPart& part);
 
 private:
   void Begin(vtkImageReliefShading* shading);
   void WriteRows(vtkImageData* part);
+  ShadingReport WritePieces(vtkImageReliefShading* shading, bool upward, const RunPart& part);
   void Finish(vtkImageReliefShading* shading, vtkReliefScene* scene);
 
   const Options& Given;

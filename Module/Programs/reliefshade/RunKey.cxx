@@ -2,62 +2,13 @@
 #include "RunKey.h"
 
 #include "Options.h"
-#include "SceneParameters.h"
+#include "RunKeys.h"
 #include "SurveyFile.h"
 
-#include "vtkCollectionRange.h"
 #include "vtkImageReliefShading.h"
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkReliefEnvironment.h"
-#include "vtkReliefMaterial.h"
-#include "vtkReliefScene.h"
 
 #include <locale>
 #include <sstream>
-
-namespace
-{
-
-//------------------------------------------------------------------------------
-void addParameters(
-  relief::parameters::Owner owner, vtkObject* object, const char* name, std::ostream& text)
-{
-  text << name << ":";
-  for (const relief::parameters::Parameter& parameter : relief::parameters::All())
-  {
-    if (parameter.Of == owner)
-    {
-      text << " " << parameter.Name;
-      for (const double value : parameter.Get(object))
-      {
-        text << " " << value;
-      }
-    }
-  }
-  text << "\n";
-}
-
-//------------------------------------------------------------------------------
-void addLights(vtkReliefScene* scene, std::ostream& text)
-{
-  for (vtkLight* light : vtk::Range(scene->GetLights()))
-  {
-    double position[3];
-    double focus[3];
-    light->GetTransformedPosition(position);
-    light->GetTransformedFocalPoint(focus);
-    text << "light: " << (light->GetPositional() ? "lamp" : "sun");
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      text << " " << position[axis] << " " << focus[axis];
-    }
-    text << " " << light->GetSwitch() << " ";
-    addParameters(relief::parameters::Owner::Light, light, "with", text);
-  }
-}
-
-}
 
 namespace reliefshade
 {
@@ -66,8 +17,6 @@ namespace reliefshade
 std::string keyOfRun(
   const Options& options, const std::string& heights, vtkImageReliefShading* shading)
 {
-  using relief::parameters::Owner;
-  vtkReliefScene* scene = shading->GetScene();
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(17);
@@ -78,13 +27,7 @@ std::string keyOfRun(
   {
     text << "spacing: " << (*options.Spacing)[0] << " " << (*options.Spacing)[1] << "\n";
   }
-  addParameters(Owner::Scene, scene, "scene", text);
-  addParameters(Owner::Material, scene->GetMaterial(), "material", text);
-  addLights(scene, text);
-  if (scene->GetEnvironment())
-  {
-    addParameters(Owner::Environment, scene->GetEnvironment(), "environment", text);
-  }
+  text << relief::streaming::KeyOfScene(shading->GetScene());
   for (const std::string& file : { options.Environment, options.SceneEnvironment,
          options.DiffuseTexture, options.BaseTexture, options.SpecularTexture, options.Tint })
   {

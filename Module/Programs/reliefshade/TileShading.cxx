@@ -7,6 +7,7 @@
 #include "Outputs.h"
 #include "PictureChoice.h"
 #include "PictureOutput.h"
+#include "PiecePlan.h"
 #include "Ranks.h"
 #include "RunKey.h"
 #include "Taker.h"
@@ -26,9 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
-#include <limits>
 #include <locale>
 #include <sstream>
 #include <utility>
@@ -43,12 +42,9 @@ namespace
 using namespace reliefshade;
 using relief::hosts::TiledHeights;
 using relief::raster::TiledRaster;
+using relief::streaming::BoundsBytes;
 
 constexpr double MiB = 1024.0 * 1024.0;
-/// What is known of all heights takes, for a sample.
-constexpr double BoundsBytes = 0.007;
-/// Of the memory that a run may take, what pieces and these bounds may.
-constexpr double MemoryShare = 0.7;
 
 //------------------------------------------------------------------------------
 /// The memory that a run may take; 0 for any.
@@ -63,10 +59,22 @@ std::string optionOfWholes(const Options& options)
 {
   return options.SmoothSteps          ? "--smooth-steps"
     : options.Sculpted.Relief         ? "--relief"
-    : options.VerifiedSamples > 0     ? "--verify"
     : !options.AccuracyReport.empty() ? "--accuracy-report"
-    : !options.LayersFile.empty()     ? "--layers FILE.exr"
                                       : "";
+}
+
+//------------------------------------------------------------------------------
+/// The file that the folder of pieces lies beside; without any, the heights.
+const std::string& firstOutput(const Options& options)
+{
+  for (const std::string* file : { &options.Output, &options.LayersFile, &options.ShadowMask })
+  {
+    if (!file->empty())
+    {
+      return *file;
+    }
+  }
+  return options.Input;
 }
 
 //------------------------------------------------------------------------------
@@ -111,6 +119,7 @@ bool readsAsNeeded(const Options& options, const ReadOptions& reading,
     return false;
   }
   double samples = 0.0;
+  double besides = 0.0;
   bool windows = false;
   int stored = 0;
   aboutFile(options.Input,
@@ -123,6 +132,7 @@ bool readsAsNeeded(const Options& options, const ReadOptions& reading,
         samples = 1.0 * header.Columns * header.Rows;
         stored = vtkDataArray::GetDataTypeSize(std::max(header.ScalarType, 1));
         windows = opened->HasWindows();
+        besides = opened->GetReadingBytes();
       }
       catch (const relief::raster::OptionFailure&)
       {
@@ -140,7 +150,7 @@ bool readsAsNeeded(const Options& options, const ReadOptions& reading,
       "its format is read as a whole, and not by several processes; gdal_translate makes a GeoTIFF "
       "of it");
   }
-  if (!windows || (samples * bytes <= memoryOf(options) && countRanks() < 2))
+  if (!windows || (samples * bytes + besides <= memoryOf(options) && countRanks() < 2))
   {
     return false;
   }
@@ -212,27 +222,15 @@ TileShading::TileShading(
   , Heights(raster)
   , Shading(shading)
 {
-  this->Arrays = { "Shading" };
-  const std::pair<bool, const char*> layers[] = { { shading->GetGenerateIllumination(),
-                                                    "Illumination" },
-    { shading->GetGenerateThickness(), "Thickness" }, { shading->GetGenerateShadow(), "Shadow" },
-    { shading->GetGenerateNormals(), "Normals" }, { shading->GetGenerateBase(), "Base" },
-    { shading->GetGenerateDiffuse(), "Diffuse" }, { shading->GetGenerateScatter(), "Scatter" },
-    { shading->GetGenerateSpecular(), "Specular" } };
-  for (const auto& [on, name] : layers)
-  {
-    if (on)
-    {
-      this->Arrays.emplace_back(name);
-    }
-  }
-  if (isGeoTiff(options.Output))
+  this->Arrays = relief::streaming::ArraysOf(shading);
+  // Where the file of layers takes its colour from the picture, all of it is kept.
+  const bool shared = !options.LayersFile.empty() && outputType(options) == VTK_FLOAT;
+  if (isGeoTiff(options.Output) && !shared)
   {
     this->Form = formOfOutput(options, relief::raster::LacksData(raster));
   }
   this->Cut(sampleBytes);
-  const std::string folder =
-    (options.Output.empty() ? options.ShadowMask : options.Output) + ".parts";
+  const std::string folder = firstOutput(options) + ".parts";
   using relief::streaming::RunFolder;
   ranks().FirstAhead(
     [&]
@@ -250,82 +248,10 @@ TileShading::TileShading(
 TileShading::~TileShading() = default;
 
 //------------------------------------------------------------------------------
-std::vector<TileShading::Extent> TileShading::PiecesOf(int columns, int rows) const
+/// What the largest of the pieces takes.
+double TileShading::LargestOf(double sampleBytes) const
 {
-  std::vector<Extent> pieces;
-  for (int j = 0; j < this->Heights.Rows; j += rows)
-  {
-    for (int i = 0; i < this->Heights.Columns; i += columns)
-    {
-      pieces.push_back({ i, std::min(i + columns, this->Heights.Columns) - 1, j,
-        std::min(j + rows, this->Heights.Rows) - 1, 0, 0 });
-    }
-  }
-  return pieces;
-}
-
-//------------------------------------------------------------------------------
-/// What is in memory while a piece is shaded and the one before is saved.
-double TileShading::BytesOf(const Extent& piece, double sampleBytes) const
-{
-  const double samples = (piece[1] - piece[0] + 1.0) * (piece[3] - piece[2] + 1.0);
-  return 1024.0 * this->Shading->EstimateMemory(piece.data()) + 2.0 * sampleBytes * samples;
-}
-
-//------------------------------------------------------------------------------
-/// What a run may take must be for pieces that take so many bytes.
-double TileShading::MemoryFor(double bytes) const
-{
-  return (bytes + BoundsBytes * this->Heights.Columns * this->Heights.Rows) / MemoryShare;
-}
-
-//------------------------------------------------------------------------------
-/// Bands as high as fit; where the lowest does not, its pieces are narrower.
-void TileShading::Cut(double sampleBytes)
-{
-  constexpr int region = relief::RasterBounds::RegionSize;
-  // Runs of few pieces lose more when they are stopped, and are shared out badly.
-  constexpr int usualPieces = 64;
-  const int most = region * std::clamp(this->Heights.Rows / usualPieces / region, 1, 16);
-  const int width = (this->Heights.Columns + region - 1) / region * region;
-  // The rest is for the program itself, the bounds of all heights, and what files are read through.
-  const double samples = 1.0 * this->Heights.Columns * this->Heights.Rows;
-  const double memory = MemoryShare * memoryOf(this->Given) - BoundsBytes * samples;
-  this->Columns = width;
-  this->Rows = most;
-  this->Shading->SetHeightMemoryLimit(VTK_DOUBLE_MAX);
-  for (;;)
-  {
-    this->Pieces = this->PiecesOf(this->Columns, this->Rows);
-    if (this->LargestOf(sampleBytes, memory) <= memory)
-    {
-      return;
-    }
-    if (this->Rows > region)
-    {
-      this->Rows /= 2;
-    }
-    else if (this->Columns > 4 * region)
-    {
-      this->Columns = (this->Columns / 2 + region - 1) / region * region;
-    }
-    else
-    {
-      break;
-    }
-  }
-  this->LeaveOut(memory, sampleBytes);
-}
-
-//------------------------------------------------------------------------------
-/// What the largest of the pieces takes, or the first that takes more than is enough to know.
-double TileShading::LargestOf(double sampleBytes, double enough) const
-{
-  double largest = 0.0;
-  for (std::size_t k = 0; k < this->Pieces.size() && largest <= enough; ++k)
-  {
-    largest = std::max(largest, this->BytesOf(this->Pieces[k], sampleBytes));
-  }
+  const double largest = this->Plan->FindLargest(this->Shading, sampleBytes);
   if (hasError())
   {
     throw Failure(this->Given.Input, takeError());
@@ -334,29 +260,52 @@ double TileShading::LargestOf(double sampleBytes, double enough) const
 }
 
 //------------------------------------------------------------------------------
-/// Even the least pieces do not fit: of their heights some are left out, or the run is refused.
-void TileShading::LeaveOut(double memory, double sampleBytes)
+void TileShading::Cut(double sampleBytes)
 {
-  constexpr double any = std::numeric_limits<double>::infinity();
-  double largest = this->LargestOf(sampleBytes, any);
-  const double wanted = this->MemoryFor(largest);
+  const int whole[6] = { 0, this->Heights.Columns - 1, 0, this->Heights.Rows - 1, 0, 0 };
+  this->Shading->SetHeightMemoryLimit(VTK_DOUBLE_MAX);
+  this->Plan = std::make_unique<relief::streaming::PiecePlan>(
+    this->Shading, whole, memoryOf(this->Given), sampleBytes);
+  if (hasError())
+  {
+    throw Failure(this->Given.Input, takeError());
+  }
+  if (!this->Plan->Fits())
+  {
+    this->LeaveOut(sampleBytes);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Even the least pieces do not fit: of their heights some are left out, or the run is refused.
+void TileShading::LeaveOut(double sampleBytes)
+{
+  const relief::streaming::PiecePlan& plan = *this->Plan;
+  double largest = this->LargestOf(sampleBytes);
+  const double wanted = plan.MemoryFor(largest);
   if (this->Given.BoundsBeyondMemory)
   {
-    const double room = memory - 2.0 * sampleBytes * this->Columns * this->Rows;
+    const double room = plan.GetRoom() - 2.0 * sampleBytes * plan.GetColumns() * plan.GetRows();
     this->Shading->SetHeightMemoryLimit(std::max(std::floor(room / 1024.0), 0.0));
     this->Shading->SetBeyondMemoryToBounds();
     this->Wanted = wanted;
-    largest = this->LargestOf(sampleBytes, any);
-    if (largest <= memory)
+    largest = this->LargestOf(sampleBytes);
+    if (largest <= plan.GetRoom())
     {
       return;
     }
   }
   throw Failure("--memory",
-    "the least piece, " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " samples, depends on heights that take more" +
+    "the least piece, " + std::to_string(plan.GetColumns()) + " x " +
+      std::to_string(plan.GetRows()) + " samples, depends on heights that take more" +
       (this->Given.BoundsBeyondMemory ? ", of which none can be left out" : "") +
-      "; give at least " + inMebibytes(this->MemoryFor(largest)));
+      "; give at least " + inMebibytes(plan.MemoryFor(largest)));
+}
+
+//------------------------------------------------------------------------------
+const std::vector<TileShading::Extent>& TileShading::GetPieces() const
+{
+  return this->Plan->GetPieces();
 }
 
 //------------------------------------------------------------------------------
@@ -373,7 +322,8 @@ std::string TileShading::GetKey() const
     (this->Form && !this->Form->ByValue
         ? " of " + std::to_string(this->Form->GetComponents()) + " components"
         : "") +
-    "\npieces: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) + "\n" +
+    "\npieces: " + std::to_string(this->Plan->GetColumns()) + " x " +
+    std::to_string(this->Plan->GetRows()) + "\n" +
     (this->Wanted > 0.0 ? "heights by bounds: beyond " +
           std::to_string(static_cast<long long>(this->Shading->GetHeightMemoryLimit())) + " KiB\n"
                         : "");
@@ -383,40 +333,9 @@ std::string TileShading::GetKey() const
 std::vector<TileShading::Extent> TileShading::Missing() const
 {
   std::vector<Extent> missing;
-  std::copy_if(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(missing),
+  std::copy_if(this->GetPieces().begin(), this->GetPieces().end(), std::back_inserter(missing),
     [this](const Extent& piece) { return !this->Store->Has(piece.data()); });
   return missing;
-}
-
-//------------------------------------------------------------------------------
-/// Those of this process: neighbours, which have heights in common, of about as much work as the
-/// others'.
-std::vector<TileShading::Extent> TileShading::ShareOf(const std::vector<Extent>& pieces) const
-{
-  const int count = ranks().GetCount();
-  if (count < 2)
-  {
-    return pieces;
-  }
-  std::vector<double> ends; // of their work, one after another
-  double sum = 0.0;
-  for (const Extent& piece : pieces)
-  {
-    sum += this->Shading->EstimateWork(piece.data());
-    ends.push_back(sum);
-  }
-  std::vector<Extent> share;
-  double begin = 0.0;
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-  {
-    const double middle = 0.5 * (begin + ends[k]);
-    begin = ends[k];
-    if (std::min(static_cast<int>(middle / sum * count), count - 1) == ranks().GetRank())
-    {
-      share.push_back(pieces[k]);
-    }
-  }
-  return share;
 }
 
 //------------------------------------------------------------------------------
@@ -429,10 +348,11 @@ void TileShading::ShadeShare(const RunPart& part, ShadingReport& report)
     {
       const std::function<void(vtkImageData*)> save = [this](vtkImageData* piece)
       { aboutFile(this->Store->GetFolder(), [&] { this->Store->Save(piece); }); };
-      const std::vector<Extent> share = this->ShareOf(missing);
+      const std::vector<Extent> share =
+        relief::streaming::ShareOf(this->Shading, missing, ranks().GetRank(), ranks().GetCount());
       // What was there before counts as done.
       const auto left =
-        static_cast<double>(missing.size()) / static_cast<double>(this->Pieces.size());
+        static_cast<double>(missing.size()) / static_cast<double>(this->GetPieces().size());
       const double each = left / static_cast<double>(std::max<std::size_t>(share.size(), 1));
       double at = 1.0 - left;
       Taker taker(save);
@@ -500,12 +420,13 @@ vtkSmartPointer<vtkImageData> TileShading::ShadePiece(
 
 //------------------------------------------------------------------------------
 /// A piece from the disk. One that is damaged is shaded again.
-vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingReport& report) const
+vtkSmartPointer<vtkImageData> TileShading::Load(
+  const Extent& piece, const std::vector<std::string>& arrays, ShadingReport& report) const
 {
   vtkSmartPointer<vtkImageData> loaded;
   try
   {
-    loaded = this->Store->Load(piece.data(), this->Arrays);
+    loaded = this->Store->Load(piece.data(), arrays);
   }
   catch (const relief::streaming::TileDamaged& damage)
   {
@@ -528,75 +449,29 @@ vtkSmartPointer<vtkImageData> TileShading::Load(const Extent& piece, ShadingRepo
 }
 
 //------------------------------------------------------------------------------
-/// A band of all columns, put together of its pieces.
-vtkSmartPointer<vtkImageData> TileShading::LoadBand(int firstRow, ShadingReport& report) const
+vtkSmartPointer<vtkImageData> TileShading::LoadLayer(
+  const int extent[6], const std::string& name) const
 {
-  auto band = vtkSmartPointer<vtkImageData>::New();
-  for (const Extent& extent : this->Pieces)
-  {
-    if (extent[2] != firstRow)
-    {
-      continue;
-    }
-    const vtkSmartPointer<vtkImageData> piece = this->Load(extent, report);
-    if (this->Columns >= this->Heights.Columns)
-    {
-      return piece;
-    }
-    if (band->GetNumberOfPoints() == 0)
-    {
-      this->MakeRoom(piece, band);
-    }
-    for (const std::string& name : this->Arrays)
-    {
-      vtkDataArray* from = piece->GetPointData()->GetArray(name.c_str());
-      vtkDataArray* to = band->GetPointData()->GetArray(name.c_str());
-      const int components = from->GetNumberOfComponents();
-      const vtkIdType width = extent[1] - extent[0] + 1;
-      const std::size_t bytes =
-        static_cast<std::size_t>(width) * components * from->GetDataTypeSize();
-      for (vtkIdType j = 0; j <= extent[3] - extent[2]; ++j)
-      {
-        std::memcpy(to->GetVoidPointer((j * this->Heights.Columns + extent[0]) * components),
-          from->GetVoidPointer(j * width * components), bytes);
-      }
-    }
-  }
-  return band;
+  Extent piece;
+  std::copy_n(extent, 6, piece.begin());
+  ShadingReport report; // of what is damaged
+  vtkSmartPointer<vtkImageData> loaded;
+  aboutFile(this->Store->GetFolder(), [&] { loaded = this->Load(piece, { name }, report); });
+  return loaded;
 }
 
 //------------------------------------------------------------------------------
-/// Makes a band of arrays as a piece has them.
-void TileShading::MakeRoom(vtkImageData* piece, vtkImageData* band) const
+void TileShading::HandOver(
+  bool upward, ShadingReport& report, const std::function<void(vtkImageData*)>& take) const
 {
-  const int* extent = piece->GetExtent();
-  band->SetExtent(0, this->Heights.Columns - 1, extent[2], extent[3], 0, 0);
-  for (const std::string& name : this->Arrays)
-  {
-    vtkDataArray* values = piece->GetPointData()->GetArray(name.c_str());
-    const auto all = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
-    all->SetName(name.c_str());
-    all->SetNumberOfComponents(values->GetNumberOfComponents());
-    all->SetNumberOfTuples(band->GetNumberOfPoints());
-    band->GetPointData()->AddArray(all);
-  }
-  band->GetPointData()->SetActiveScalars(this->Arrays.front().c_str());
-}
-
-//------------------------------------------------------------------------------
-ShadingReport TileShading::Shade(
-  bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take)
-{
-  ShadingReport report;
-  this->ShadeShare({ part.Begin, 0.9 * part.Length }, report);
-  const int bands = (this->Heights.Rows + this->Rows - 1) / this->Rows;
+  const int bands = this->Plan->GetNumberOfBands();
   for (int k = 0; k < bands; ++k)
   {
     stopIfInterrupted();
-    take(this->LoadBand((upward ? k : bands - 1 - k) * this->Rows, report));
+    take(this->Plan->LoadBand(upward ? k : bands - 1 - k, this->Arrays,
+      [&](const Extent& piece) { return this->Load(piece, this->Arrays, report); }));
     showProgress(showsBar(this->Given), "writing", (k + 1.0) / bands);
   }
-  return report;
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ class vtkImageReliefShading;
 
 namespace relief::streaming
 {
+class PiecePlan;
 class TileStore;
 }
 
@@ -53,10 +54,16 @@ public:
   /// Shades what is not there yet: of several processes each its share (Ranks.h). Throws a Failure.
   void ShadeShare(const RunPart& part, ShadingReport& report);
 
-  /// Does that, then hands over all in bands of rows, the upper ones first or,
-  /// `upward`, the lower ones. Throws a Failure, and what `take` throws.
-  ShadingReport Shade(
-    bool upward, const RunPart& part, const std::function<void(vtkImageData*)>& take);
+  /// Hands over all, once it is there, in bands of rows, the upper ones first or, `upward`, the
+  /// lower ones. Throws a Failure, and what `take` throws.
+  void HandOver(
+    bool upward, ShadingReport& report, const std::function<void(vtkImageData*)>& take) const;
+
+  /// The pieces' extents, which are all of the picture.
+  const std::vector<std::array<int, 6>>& GetPieces() const;
+
+  /// One layer of a piece that is there. Throws a Failure.
+  vtkSmartPointer<vtkImageData> LoadLayer(const int extent[6], const std::string& name) const;
 
   /// Removes the folder, when what was made of the pieces has its name.
   void Finish();
@@ -65,26 +72,19 @@ private:
   using Extent = std::array<int, 6>;
 
   void Cut(double sampleBytes);
-  double LargestOf(double sampleBytes, double enough) const;
-  void LeaveOut(double memory, double sampleBytes);
+  double LargestOf(double sampleBytes) const;
+  void LeaveOut(double sampleBytes);
   vtkSmartPointer<vtkImageData> ShadePiece(const Extent& piece, ShadingReport& report) const;
-  double BytesOf(const Extent& piece, double sampleBytes) const;
-  double MemoryFor(double bytes) const;
-  std::vector<Extent> PiecesOf(int columns, int rows) const;
   std::string GetKey() const;
   std::vector<Extent> Missing() const;
-  std::vector<Extent> ShareOf(const std::vector<Extent>& pieces) const;
-  vtkSmartPointer<vtkImageData> Load(const Extent& piece, ShadingReport& report) const;
-  vtkSmartPointer<vtkImageData> LoadBand(int firstRow, ShadingReport& report) const;
-  void MakeRoom(vtkImageData* piece, vtkImageData* band) const;
+  vtkSmartPointer<vtkImageData> Load(
+    const Extent& piece, const std::vector<std::string>& arrays, ShadingReport& report) const;
 
   const Options& Given;
   const Raster& Heights;
   vtkImageReliefShading* Shading;
-  int Columns = 0; // of a piece
-  int Rows = 0;
-  double Wanted = 0.0;        // bytes of memory, for nothing to be left out; 0 where nothing is
-  std::vector<Extent> Pieces; // band by band, from the lower ones on
+  std::unique_ptr<relief::streaming::PiecePlan> Plan;
+  double Wanted = 0.0; // bytes of memory, for nothing to be left out; 0 where nothing is
   std::vector<std::string> Arrays;
   std::optional<PictureForm> Form; // of Shading in the pieces, where it is not that of the filter
   std::unique_ptr<relief::streaming::TileStore> Store;

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "MessageLog.h"
 #include "Options.h"
+#include "TileShading.h"
 #include "Watch.h"
 
 #include "vtkImageData.h"
@@ -18,12 +19,18 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
-std::string verify(vtkImageReliefShading* shading, const Options& options, bool bar)
+std::string verify(
+  vtkImageReliefShading* shading, const Options& options, const TileShading* pieces, bool bar)
 {
   vtkNew<vtkReliefVerification> verification;
   verification->SetShading(shading);
   verification->SetNumberOfSamples(options.VerifiedSamples);
   verification->SetSeed(options.VerifiedSeed);
+  if (pieces)
+  {
+    verification->SetPieces(pieces->GetPieces(),
+      [pieces](const int extent[6]) { return pieces->LoadLayer(extent, "Illumination"); });
+  }
   watch(verification, bar, "verifying");
   verification->Update();
   stopIfInterrupted();
@@ -33,7 +40,7 @@ std::string verify(vtkImageReliefShading* shading, const Options& options, bool 
   }
 
   // Rows are counted from the upper edge, as pictures have them.
-  const int* extent = shading->GetOutput()->GetExtent();
+  const int* extent = vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0))->GetExtent();
   const std::string place = "column " + std::to_string(verification->GetWorstColumn() - extent[0]) +
     ", row " + std::to_string(extent[3] - verification->GetWorstRow());
   const std::string error = brief(verification->GetLargestError(), 3);

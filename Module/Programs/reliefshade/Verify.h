@@ -10,11 +10,13 @@ namespace reliefshade
 {
 
 struct Options;
+class TileShading;
 
 /// Retraces samples of what was shaded by the reference, as the options want it, and prints what
-/// came out. Returns it in words. Throws a Failure if the illumination does not keep what is
-/// promised.
-std::string verify(vtkImageReliefShading* shading, const Options& options, bool bar);
+/// came out. Returns it in words. `pieces` are those of heights that do not fit into memory, or
+/// null. Throws a Failure if the illumination does not keep what is promised.
+std::string verify(
+  vtkImageReliefShading* shading, const Options& options, const TileShading* pieces, bool bar);
 
 }
 

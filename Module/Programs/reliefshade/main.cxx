@@ -370,9 +370,9 @@ void run(Options& options)
   ranks().Together([&] { readPictures(options, raster, budget, shading); });
   generateLayers(options.Layers, shading);
   shading->SetGenerateShadow(shading->GetGenerateShadow() || !options.ShadowMask.empty());
-  if (outputs && outputs->GetLayersWriter())
+  if (!options.LayersFile.empty())
   {
-    outputs->GetLayersWriter()->Prepare(shading);
+    generateColor(shading);
   }
   shading->SetGenerateIllumination(
     shading->GetGenerateIllumination() || options.VerifiedSamples > 0);

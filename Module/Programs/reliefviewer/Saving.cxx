@@ -86,7 +86,6 @@ void saveLayers(
   vtkNew<vtkImageReliefShading> shading;
   shading->SetOutputScalarTypeToFloat();
   reliefshade::generateLayers(reliefshade::usualLayerNames(), shading);
-  writer.Prepare(shading);
   shade(file, shading, field, scene, progress);
   relief::raster::GeoReference reference = field.Heights.Reference;
   reference.Metadata = reliefshade::provenance(shading, "");
