@@ -16,7 +16,7 @@ import unittest
 
 import reliefshading
 from reliefshading import (vtkImageReliefShading, vtkReliefPieceWriter, vtkReliefRasterReader,
-                           vtkReliefRasterWriter)
+                           vtkReliefRasterWriter, vtkReliefVerification)
 from reliefshading._errors import listening
 from vtkmodules.util.vtkConstants import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonCore import vtkLookupTable
@@ -227,6 +227,24 @@ class TestOneProcess(unittest.TestCase):
         writer, good, _ = begin()
         self.assertTrue(good and writer.Shade())
         self.assertEqual(writer.GetNumberOfShadedPieces(), 0)
+
+    def test_verification(self):
+        """Of heights that are read as needed the same samples are retraced, with the same results."""
+        tables = []
+        for needed in (False, True):
+            shading = self.shading(needed)
+            shading.GenerateIlluminationOn()
+            verification = vtkReliefVerification()
+            verification.SetShading(shading)
+            verification.SetNumberOfSamples(300)
+            verification.SetSeed(4)
+            reliefshading.update(verification)
+            self.assertTrue(verification.GetKept())
+            self.assertEqual(verification.GetNumberOfRetracedSamples(), 300)
+            table = verification.GetOutput()
+            tables.append([[table.GetColumn(c).GetValue(k) for c in range(table.GetNumberOfColumns())]
+                           for k in range(table.GetNumberOfRows())])
+        self.assertEqual(tables[0], tables[1])
 
     def test_bad_input(self):
         for file, shading, said in ((None, True, "no file name"), ("a.png", True, "GeoTIFF"),
