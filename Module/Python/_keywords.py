@@ -6,6 +6,7 @@ import inspect
 import math
 import numbers
 import operator
+import os
 import re
 import reprlib
 
@@ -44,7 +45,7 @@ FIXED = (
     ("alpha", True, "", "Whether there is a fourth component, which is 0 where there is no data"),
     ("background", (0.0, 0.0, 0.0), "linear RGB", "Colour where there is no data, of alpha=False "
      "and of files that know no alpha"),
-    ("scene", None, "", "A vtkReliefScene to begin with; it is left alone"),
+    ("scene", None, "", "A vtkReliefScene, or the name of a scene file, to begin with; it is left alone"),
 )
 LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "scatter", "specular")
 FIXED_NAMES = tuple(row[0] for row in FIXED)
@@ -126,9 +127,14 @@ ELSEWHERE = {
 
 
 def kept(keywords):
-    """Keywords that can be used again: an iterator, which can be read but once, becomes a tuple."""
-    return {name: tuple(value) if hasattr(value, "__next__") else value
-            for name, value in keywords.items()}
+    """Keywords that can be used again: an iterator, which can be read but once, becomes a tuple, and a
+    scene's file its scene."""
+    again = {name: tuple(value) if hasattr(value, "__next__") else value
+             for name, value in keywords.items()}
+    if isinstance(again.get("scene"), (str, bytes, os.PathLike)):
+        from ._scene_file import read_scene
+        again["scene"] = read_scene(again["scene"])
+    return again
 
 
 def check_names(function, keywords, without=()):

@@ -13,7 +13,7 @@ def set_scene(scene, values, heights, environments):
         scene.SetEnvironment(None)
         scene.RemoveAllLights()
     elif not isinstance(given, vtkReliefScene):
-        raise TypeError(f"scene: a vtkReliefScene is expected, not {type(given).__name__}")
+        raise TypeError(f"scene: a vtkReliefScene or a file's name is expected, not {type(given).__name__}")
     elif given is not scene:
         scene.CopySharingImage(given)
     for name, row in TABLE.items():

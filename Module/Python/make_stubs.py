@@ -26,6 +26,7 @@ Array = numpy.ndarray
 ArrayLike = numpy.typing.ArrayLike
 Color = Union[str, float, Sequence[float]]
 Pair = Sequence[float]
+FileName = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 Light = Union[Sequence[float], Mapping[str, Any], vtkLight]
 Moment = Union[Sequence[Any], Mapping[str, Any]]
 Layer = Literal[%(layers)s]
@@ -39,6 +40,8 @@ def shade_pieces(shading: vtkImageReliefShading, file: Union[str, os.PathLike], 
                  memory: Optional[float] = ..., cloud_optimized: bool = ...,
                  overviews: bool = ...) -> int: ...
 def update(algorithm: vtkAlgorithm) -> None: ...
+def read_scene(file_name: FileName) -> vtkReliefScene: ...
+def write_scene(scene: vtkReliefScene, file_name: FileName) -> None: ...
 
 class ReliefWarning(UserWarning): ...
 
@@ -70,7 +73,7 @@ class ReliefImage:
     def __len__(self) -> int: ...
     def tobytes(self) -> bytes: ...
     def encoded(self) -> Array: ...
-    def save(self, file_name: Union[str, bytes, os.PathLike[str], os.PathLike[bytes]]) -> None: ...
+    def save(self, file_name: FileName) -> None: ...
 '''
 
 OF_FIXED = {
@@ -83,7 +86,7 @@ OF_FIXED = {
     "diffuse_texture": "Union[ArrayLike, None]", "base_texture": "Union[ArrayLike, None]",
     "specular_texture": "Union[ArrayLike, None]", "cmap": "Any", "clim": "Union[Pair, None]",
     "layers": 'Union[Layer, Literal["all"], Sequence[Layer]]', "dtype": "numpy.typing.DTypeLike",
-    "alpha": "bool", "background": "Color", "scene": "Union[vtkReliefScene, None]"}
+    "alpha": "bool", "background": "Color", "scene": "Union[vtkReliefScene, FileName, None]"}
 OF_KIND = {"number": "float", "length": 'Union[float, Literal["infinite"]]', "count": "int", "flag": "bool",
            "color": "Color", "range": "Pair"}
 

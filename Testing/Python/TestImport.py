@@ -17,15 +17,17 @@ ROOMS = {
                 "vtkReliefStepSmoothing", "vtkReliefVerification"),
     "Rendering": ("vtkReliefImageMapper", "vtkOpenGLReliefImageMapper"),
     "Interaction": ("vtkReliefLightRepresentation", "vtkReliefLightWidget"),
-    "IO": ("vtkOpenEXRLayerWriter", "vtkOpenImageIOReader", "vtkOpenImageIOWriter",
-           "vtkReliefEnvironmentImage", "vtkReliefMeshReader", "vtkReliefSceneFile"),
+    "IO": ("vtkReliefEnvironmentImage", "vtkReliefMeshReader", "vtkReliefSceneFile"),
+    # What IO has only where it is built with OpenImageIO.
+    "OpenImageIO": ("vtkOpenEXRLayerWriter", "vtkOpenImageIOReader", "vtkOpenImageIOWriter"),
     "Heights": ("vtkDepthToHeightField", "vtkNormalMapToHeightField", "vtkReliefCompression"),
     "Raster": ("vtkReliefRasterReader", "vtkReliefRasterWriter"),
     "Streaming": ("vtkReliefPieceWriter",),
 }
 BUILT = os.environ.get("RELIEFSHADING_ROOMS", " ".join(ROOMS)).split()
 # Written in Python.
-FUNCTIONS = ("Relief", "ReliefImage", "ReliefWarning", "raise_errors", "shade", "shade_pieces", "update")
+FUNCTIONS = ("Relief", "ReliefImage", "ReliefWarning", "raise_errors", "read_scene", "shade", "shade_pieces", "update",
+             "write_scene")
 CLASSES = [name for room in BUILT for name in ROOMS[room]]
 
 
