@@ -2,6 +2,7 @@
 #include "GltfFileChecks.h"
 
 #include "FileGuard.h"
+#include "Refusals.h"
 
 #include "vtkBase64Utilities.h"
 #include "vtkErrorCode.h"
@@ -27,16 +28,6 @@ namespace
 {
 using Model = vtkGLTFDocumentLoader::Model;
 
-[[noreturn]] void Refuse(const std::string& reason)
-{
-  throw Failure(vtkErrorCode::FileFormatError, reason);
-}
-
-[[noreturn]] void RefuseEnd(const std::string& reason)
-{
-  throw Failure(vtkErrorCode::PrematureEndOfFileError, reason);
-}
-
 bool IsIndex(std::int64_t index, std::size_t count)
 {
   return index >= 0 && static_cast<std::uint64_t>(index) < count;
@@ -52,12 +43,12 @@ Json::Value ParseJson(const std::string& text)
     const std::unique_ptr<Json::CharReader> reader(Json::CharReaderBuilder().newCharReader());
     if (!reader->parse(text.data(), text.data() + text.size(), &root, &wrong))
     {
-      Refuse("it cannot be read as JSON: " + OneLine(wrong));
+      RefuseFormat("it cannot be read as JSON: " + OneLine(wrong));
     }
   }
   catch (const Json::Exception& exception)
   {
-    Refuse("it cannot be read as JSON: " + OneLine(exception.what()));
+    RefuseFormat("it cannot be read as JSON: " + OneLine(exception.what()));
   }
   return root;
 }
@@ -89,12 +80,12 @@ void CheckExtensions(const Json::Value& root)
 {
   if (!root.isObject())
   {
-    Refuse("it is no glTF: its JSON is no object");
+    RefuseFormat("it is no glTF: its JSON is no object");
   }
   const Json::Value& required = root["extensionsRequired"];
   if (!required.isNull() && !required.isArray())
   {
-    Refuse("its extensionsRequired is no list");
+    RefuseFormat("its extensionsRequired is no list");
   }
   for (const Json::Value& extension : required)
   {
@@ -102,7 +93,7 @@ void CheckExtensions(const Json::Value& root)
     if (name != "KHR_texture_transform" && name != "KHR_lights_punctual" &&
       name.compare(0, 14, "KHR_materials_") != 0)
     {
-      Refuse("it needs " + Shortened(name) + ", which is not read; export it without");
+      RefuseFormat("it needs " + Shortened(name) + ", which is not read; export it without");
     }
   }
 }
@@ -143,7 +134,7 @@ std::vector<char> DataBuffer(const std::string& uri, std::int64_t length)
   const std::size_t begin = uri.find(mark);
   if (begin == std::string::npos)
   {
-    Refuse("a buffer is written as 'data:' without ';base64,'");
+    RefuseFormat("a buffer is written as 'data:' without ';base64,'");
   }
   const std::string text = Decoded(uri.substr(begin + mark.size()));
   const std::uint64_t most = text.size() / 4 * 3;
@@ -187,7 +178,7 @@ std::vector<char> FileBuffer(
   const std::string beside = FileBeside(fileName, uri);
   if (beside.empty())
   {
-    Refuse("the file \"" + Shortened(Decoded(uri)) + "\" that it names is not there");
+    RefuseFormat("the file \"" + Shortened(Decoded(uri)) + "\" that it names is not there");
   }
   const std::uint64_t there = SystemTools::FileLength(beside);
   if (static_cast<std::uint64_t>(length) > there)
@@ -198,7 +189,7 @@ std::vector<char> FileBuffer(
   std::ifstream file(beside, std::ios::binary);
   if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
   {
-    Refuse("the file \"" + Shortened(Decoded(uri)) + "\" that it names cannot be read");
+    RefuseFormat("the file \"" + Shortened(Decoded(uri)) + "\" that it names cannot be read");
   }
   return bytes;
 }
@@ -221,7 +212,7 @@ void ReadBuffers(const std::string& fileName, std::vector<char>& inside, Model& 
   const Json::Value buffers = ParseJson(model.BufferMetaData);
   if (!buffers.isArray())
   {
-    Refuse("it has no buffers");
+    RefuseFormat("it has no buffers");
   }
   model.Buffers.clear();
   for (const Json::Value& buffer : buffers)
@@ -230,7 +221,7 @@ void ReadBuffers(const std::string& fileName, std::vector<char>& inside, Model& 
       buffer.isObject() && buffer["byteLength"].isInt64() ? buffer["byteLength"].asInt64() : -1;
     if (length < 0)
     {
-      Refuse("a buffer has no byteLength");
+      RefuseFormat("a buffer has no byteLength");
     }
     const std::string uri = AddressOf(buffer);
     if (uri.empty())
@@ -273,7 +264,7 @@ void CheckViews(const Model& model)
       std::int64_t{ view.ByteOffset } + view.ByteLength >
         static_cast<std::int64_t>(model.Buffers[static_cast<std::size_t>(view.Buffer)].size()))
     {
-      Refuse("a bufferView reaches beyond its buffer");
+      RefuseFormat("a bufferView reaches beyond its buffer");
     }
   }
 }
@@ -283,21 +274,22 @@ void CheckAccessor(const Model& model, int index)
 {
   if (!IsIndex(index, model.Accessors.size()))
   {
-    Refuse("a mesh names an accessor that is not there");
+    RefuseFormat("a mesh names an accessor that is not there");
   }
   const auto& accessor = model.Accessors[static_cast<std::size_t>(index)];
   if (accessor.IsSparse)
   {
-    Refuse("its accessors are sparse, which is not read; export it without");
+    RefuseFormat("its accessors are sparse, which is not read; export it without");
   }
   if (accessor.BufferView < 0)
   {
-    Refuse("an accessor of a mesh has no bufferView, as of compressed meshes; export it without "
-           "compression");
+    RefuseFormat(
+      "an accessor of a mesh has no bufferView, as of compressed meshes; export it without "
+      "compression");
   }
   if (!IsIndex(accessor.BufferView, model.BufferViews.size()) || accessor.Count < 0)
   {
-    Refuse("an accessor of a mesh names a bufferView that is not there");
+    RefuseFormat("an accessor of a mesh names a bufferView that is not there");
   }
   const auto& view = model.BufferViews[static_cast<std::size_t>(accessor.BufferView)];
   const std::int64_t element =
@@ -306,7 +298,7 @@ void CheckAccessor(const Model& model, int index)
   if (accessor.ByteOffset < 0 ||
     accessor.ByteOffset + (std::int64_t{ accessor.Count } - 1) * stride + element > view.ByteLength)
   {
-    Refuse("an accessor reaches beyond its bufferView");
+    RefuseFormat("an accessor reaches beyond its bufferView");
   }
 }
 
@@ -332,8 +324,8 @@ void CheckIndices(const Model& model, int index)
     (component != Component::UNSIGNED_BYTE && component != Component::UNSIGNED_SHORT &&
       component != Component::UNSIGNED_INT))
   {
-    Refuse("the indices of a mesh must be SCALAR, and UNSIGNED_BYTE, UNSIGNED_SHORT or "
-           "UNSIGNED_INT");
+    RefuseFormat("the indices of a mesh must be SCALAR, and UNSIGNED_BYTE, UNSIGNED_SHORT or "
+                 "UNSIGNED_INT");
   }
 }
 
@@ -349,7 +341,7 @@ void CheckAttribute(const Model& model, const std::string& name, int index, int 
   {
     if (!fits)
     {
-      Refuse("the " + Shortened(name) + " of a mesh must be " + expected);
+      RefuseFormat("the " + Shortened(name) + " of a mesh must be " + expected);
     }
   };
   if (name == "POSITION" || name == "NORMAL")
@@ -372,8 +364,8 @@ void CheckAttribute(const Model& model, const std::string& name, int index, int 
   }
   if (accessor.Count != points)
   {
-    Refuse("a mesh has " + std::to_string(points) + " points, and a " + Shortened(name) + " for " +
-      std::to_string(accessor.Count));
+    RefuseFormat("a mesh has " + std::to_string(points) + " points, and a " + Shortened(name) +
+      " for " + std::to_string(accessor.Count));
   }
 }
 
@@ -382,12 +374,13 @@ void CheckPrimitive(const Model& model, const vtkGLTFDocumentLoader::Primitive& 
   const auto position = primitive.AttributeIndices.find("POSITION");
   if (position == primitive.AttributeIndices.end())
   {
-    Refuse("a mesh has no points: a POSITION is expected among its attributes");
+    RefuseFormat("a mesh has no points: a POSITION is expected among its attributes");
   }
   constexpr int fan = 6;
   if (primitive.Mode < 0 || primitive.Mode > fan)
   {
-    Refuse("the mode of a mesh is " + std::to_string(primitive.Mode) + "; 0 to 6 is expected");
+    RefuseFormat(
+      "the mode of a mesh is " + std::to_string(primitive.Mode) + "; 0 to 6 is expected");
   }
   CheckAccessor(model, position->second);
   const int points = model.Accessors[static_cast<std::size_t>(position->second)].Count;
@@ -403,7 +396,8 @@ void CheckPrimitive(const Model& model, const vtkGLTFDocumentLoader::Primitive& 
   }
   if (primitive.Mode == fan && corners < 3)
   {
-    Refuse("a fan of a mesh has " + std::to_string(corners) + " corners, and needs 3 at least");
+    RefuseFormat(
+      "a fan of a mesh has " + std::to_string(corners) + " corners, and needs 3 at least");
   }
 }
 
@@ -457,7 +451,7 @@ void CheckNames(const Model& model)
     }
     if (!there)
     {
-      Refuse("a node names a mesh or a node that is not there, or that has another parent");
+      RefuseFormat("a node names a mesh or a node that is not there, or that has another parent");
     }
   }
   // So nodes of a scene are not below themselves.
@@ -467,7 +461,7 @@ void CheckNames(const Model& model)
     {
       if (!IsIndex(node, model.Nodes.size()) || below[node])
       {
-        Refuse("a scene names a node that is not there, or that has a parent");
+        RefuseFormat("a scene names a node that is not there, or that has a parent");
       }
     }
   }
@@ -491,7 +485,8 @@ void CheckDepth(const Model& model)
       open.pop_back();
       if (depth > deepest)
       {
-        Refuse("its nodes are more than " + std::to_string(deepest) + " deep below each other");
+        RefuseFormat(
+          "its nodes are more than " + std::to_string(deepest) + " deep below each other");
       }
       for (const int child : model.Nodes[node].Children)
       {
@@ -507,7 +502,7 @@ bool HasAll(const Json::Value& root, const Model& model)
 {
   if (root["meshes"].size() != model.Meshes.size())
   {
-    Refuse("a mesh is empty");
+    RefuseFormat("a mesh is empty");
   }
   return root["accessors"].size() == model.Accessors.size() &&
     root["bufferViews"].size() == model.BufferViews.size() &&

@@ -4,6 +4,7 @@
 #include "FileGuard.h"
 #include "ObjText.h"
 #include "PlyFileChecks.h"
+#include "Refusals.h"
 
 #include "vtkErrorCode.h"
 
@@ -22,16 +23,6 @@ namespace relief::io
 
 namespace
 {
-[[noreturn]] void RefuseFormat(const std::string& reason)
-{
-  throw Failure(vtkErrorCode::FileFormatError, reason);
-}
-
-[[noreturn]] void RefuseEnd(const std::string& reason)
-{
-  throw Failure(vtkErrorCode::PrematureEndOfFileError, reason);
-}
-
 // A file that is open, and how long it is.
 struct OpenFile
 {

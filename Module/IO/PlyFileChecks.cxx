@@ -2,6 +2,7 @@
 #include "PlyFileChecks.h"
 
 #include "FileGuard.h"
+#include "Refusals.h"
 
 #include "vtkErrorCode.h"
 
@@ -18,16 +19,6 @@ namespace relief::io
 
 namespace
 {
-[[noreturn]] void RefuseFormat(const std::string& reason)
-{
-  throw Failure(vtkErrorCode::FileFormatError, reason);
-}
-
-[[noreturn]] void RefuseEnd(const std::string& reason)
-{
-  throw Failure(vtkErrorCode::PrematureEndOfFileError, reason);
-}
-
 // At its beginning.
 struct PlyFile
 {

@@ -11,6 +11,9 @@
 namespace relief
 {
 
+/// Half a turn in radians.
+constexpr double Pi = 3.141592653589793;
+
 /// A degree in radians, and a radian in degrees.
 constexpr double Degree = 0.017453292519943295;
 constexpr double Radian = 57.29577951308232;

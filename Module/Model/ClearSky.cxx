@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClearSky.h"
 
+#include "Angles.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace relief
 
 namespace
 {
-
-constexpr double Pi = glm::pi<double>();
 
 // Of R. Perez, R. Seals and J. Michalsky, "All-weather model for sky luminance distribution", 1993:
 // relative values at the cosine of a polar angle and at an angle from the sun.

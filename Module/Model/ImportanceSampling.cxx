@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImportanceSampling.h"
 
+#include "Angles.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace relief
 
 namespace
 {
-
-constexpr double Pi = glm::pi<double>();
 
 // Light from a set of directions: its energy, and its energy times direction, summed.
 struct Moment

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LightSampling.h"
 
+#include "Angles.h"
 #include "ImportanceSampling.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -18,7 +18,6 @@ namespace relief
 namespace
 {
 
-constexpr double Pi = glm::pi<double>();
 constexpr double GoldenRatio = 0.61803398874989484820; // (sqrt(5) - 1) / 2
 
 double MiddleAzimuth(const SkyPatch& patch)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceMap.h"
 
-#include <glm/gtc/constants.hpp>
+#include "Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,6 @@ namespace relief
 
 namespace
 {
-
-constexpr double Pi = glm::pi<double>();
 
 std::vector<double> RowEdges(int rows)
 {

@@ -45,12 +45,11 @@ double Slack(double a, double b)
   return 1e-4 * (std::abs(a) + std::abs(b)) + std::numeric_limits<float>::min();
 }
 
-constexpr int RegionSize = RasterBounds::RegionSize;
-
 // The region that holds a place, as far as there can be one.
 int RegionAt(double place, int regions)
 {
-  return static_cast<int>(std::floor(std::clamp(place / RegionSize, -2.0, regions + 1.0)));
+  return static_cast<int>(
+    std::floor(std::clamp(place / RasterBounds::RegionSize, -2.0, regions + 1.0)));
 }
 }
 
@@ -398,7 +397,7 @@ void TileRegions::FollowLamp(const Search& search) const
     -1.0 };
   if (rise > 0.0 && !path.steps)
   {
-    way.climb = rise * (near / (far + 2.0 * RegionSize));
+    way.climb = rise * (near / (far + 2.0 * RasterBounds::RegionSize));
     way.end = std::min((top - search.lowest + Slack(top, search.lowest)) / way.climb, 1.0);
   }
   if (!path.floored && !path.steps)
@@ -416,11 +415,11 @@ void TileRegions::FollowLamp(const Search& search) const
 void TileRegions::FollowFrom(const Path& path, const Rectangle& samples, Found& found) const
 {
   RasterBounds::Range range;
-  const int i1 = static_cast<int>(samples.x1) / RegionSize;
-  const int j1 = static_cast<int>(samples.y1) / RegionSize;
-  for (int j = static_cast<int>(samples.y0) / RegionSize; j <= j1; ++j)
+  const int i1 = static_cast<int>(samples.x1) / RasterBounds::RegionSize;
+  const int j1 = static_cast<int>(samples.y1) / RasterBounds::RegionSize;
+  for (int j = static_cast<int>(samples.y0) / RasterBounds::RegionSize; j <= j1; ++j)
   {
-    for (int i = static_cast<int>(samples.x0) / RegionSize; i <= i1; ++i)
+    for (int i = static_cast<int>(samples.x0) / RasterBounds::RegionSize; i <= i1; ++i)
     {
       range.lo = std::min(range.lo, this->Bounds.RangeAt(i, j).lo);
       range.hi = std::max(range.hi, this->Bounds.RangeAt(i, j).hi);
@@ -466,8 +465,9 @@ TileRegions::Found TileRegions::Find(int i0, int i1, int j0, int j1) const
     }
     // Region by region corridors are tight; of very many lights, or where points are sunk far
     // aside, one for all of the tile does.
-    const int size =
-      aside > 4.0 * RegionSize || this->Paths.size() > MostTight ? std::max(i1, j1) : RegionSize;
+    const int size = aside > 4.0 * RasterBounds::RegionSize || this->Paths.size() > MostTight
+      ? std::max(i1, j1)
+      : RasterBounds::RegionSize;
     for (int j = j0 / size * size; j < j1; j += size)
     {
       for (int i = i0 / size * size; i < i1; i += size)
