@@ -18,33 +18,35 @@ FIXED = (
     ("spacing", 1.0, "length", "Distance of the samples, a number or (dx, dy), both above 0"),
     ("mask", None, "", "Array of the heights' shape: where it is 0 or False there is no data"),
     ("nodata", None, "heights", "The height that marks samples without data"),
-    ("sun", None, "degrees", "(azimuth, altitude[, angular diameter]), a dict of these with color, "
-     "intensity and on, or a vtkLight. Without any light: (315, 45) with intensity 0.95"),
+    ("sun", None, "degrees", "(azimuth, altitude[, angular diameter]), any azimuth, an altitude from "
+     "-90 to 90, a diameter from 0 to 90; a dict of these with color, intensity and on, or a vtkLight. "
+     "Without any light: (315, 45) with intensity 0.95"),
     ("suns", None, "degrees", "Several such suns"),
     ("sun_at", None, "degrees", "(time, longitude, latitude[, convergence]): the sun of a moment, an "
-     "aware datetime or text of ISO 8601 with its zone; or a dict with elevation and refraction, too"),
-    ("lamp", None, "length", "(x, y, z) from the lower left sample, x to the right and y up the "
+     "aware datetime or text of ISO 8601 with its zone; longitude from -180 to 360, latitude from -90 to 90; "
+     "or a dict with elevation (metres) and refraction, too"),
+    ("lamp", None, "length", "(x, y, z), finite, from the lower left sample, x to the right and y up the "
      "array, a dict with position, color, intensity and on, or a vtkLight"),
     ("lamps", None, "length", "Several such lamps"),
     ("preset", None, "", "Lights that map makers know: default, multidirectional, sky-dome, "
      "sun-and-sky, combined or igor; the last three go by sun"),
     ("environment", None, "", "Light from all around: an array of (rows, columns[, 1 to 4]), zenith on "
      "top, or a vtkReliefEnvironment"),
-    ("depth", None, "spacing", 'subsurface_depth by its short name, or "auto"'),
+    ("depth", None, "spacing", 'subsurface_depth by its short name, a number of at least 0, or "auto"'),
     ("diffuse_texture", None, "", "Array of (rows, columns[, 1 to 4]) over the diffuse colour: "
      "uint8 and uint16 are sRGB-encoded, float32 and float64 linear; it is stretched over the relief"),
     ("base_texture", None, "", "The same over the base colour"),
     ("specular_texture", None, "", "The same over the specular colour"),
     ("cmap", None, "", "Diffuse colour by height: a name or colormap of Matplotlib, an array of "
      "colours, pairs of (height, colour), or a vtkScalarsToColors"),
-    ("clim", None, "heights", "Heights of the colormap's ends, (low, high); usually the least and the "
-     "greatest"),
+    ("clim", None, "heights", "Heights of the colormap's ends, (low, high), low below high; usually the "
+     "least and the greatest"),
     ("layers", (), "", "Further results: illumination, thickness, shadow, normals, base, diffuse, "
      'scatter, specular, or "all" (which leaves out shadow where there is no sun)'),
     ("dtype", "uint8", "", "uint8, sRGB-encoded, or float32, linear and neither exposed nor clamped"),
     ("alpha", True, "", "Whether there is a fourth component, which is 0 where there is no data"),
-    ("background", (0.0, 0.0, 0.0), "linear RGB", "Colour where there is no data, of alpha=False "
-     "and of files that know no alpha"),
+    ("background", (0.0, 0.0, 0.0), "linear RGB", "Colour where there is no data, each component from 0 to "
+     "1, of alpha=False and of files that know no alpha"),
     ("scene", None, "", "A vtkReliefScene, or the name of a scene file, to begin with; it is left alone"),
 )
 LAYERS = ("illumination", "thickness", "shadow", "normals", "base", "diffuse", "scatter", "specular")
@@ -133,7 +135,10 @@ def kept(keywords):
              for name, value in keywords.items()}
     if isinstance(again.get("scene"), (str, bytes, os.PathLike)):
         from ._scene_file import read_scene
-        again["scene"] = read_scene(again["scene"])
+        try:
+            again["scene"] = read_scene(again["scene"])
+        except (OSError, ValueError) as error:
+            raise type(error)(f"scene: {error}") from None
     return again
 
 

@@ -7,7 +7,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 from . import vtkReliefScene
 from ._errors import listening
-from ._keywords import shown
+from ._keywords import brief, shown
 
 
 def _file(file_name):
@@ -15,9 +15,11 @@ def _file(file_name):
     if "vtkReliefSceneFile" not in reliefshading.__all__:
         raise RuntimeError("this build of the package was made without scene files")
     try:
-        name = os.fsdecode(file_name)
+        name = os.fsencode(file_name)
     except TypeError:
         raise TypeError(f"a scene file's name is expected, not {shown(file_name)}") from None
+    if not name or b"\0" in name:
+        raise ValueError(f"a scene file's name is expected, not {shown(file_name)}")
     file = reliefshading.vtkReliefSceneFile()
     file.SetFileName(name)
     return file
@@ -28,6 +30,7 @@ def _call(file, function, content):
     with listening(file) as heard:
         function()
     if heard.failed:
+        heard.errors = [brief(text, 180) for text in heard.errors]
         codes = (vtkErrorCode.CannotOpenFileError, vtkErrorCode.OutOfDiskSpaceError)
         if file.GetErrorCode() == vtkErrorCode.FileNotFoundError:
             raise heard.error(FileNotFoundError)

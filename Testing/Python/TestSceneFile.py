@@ -96,9 +96,17 @@ class TestSceneFile(unittest.TestCase):
             for call in (lambda: reliefshading.read_scene(name), lambda: reliefshading.shade(heights, scene=name),
                          lambda: reliefshading.Relief(heights, scene=name)):
                 refused(FileNotFoundError, "scene.json.*does not exist", call)
+            refused(FileNotFoundError, "^scene: Cannot read", reliefshading.shade, heights, scene="none.json")
+            for nothing in ("", "a\0b", b"\0"):
+                refused(ValueError, "a scene file's name is expected", reliefshading.read_scene, nothing)
+            odd = os.path.join(os.fsencode(folder), b"\xff.json")
+            reliefshading.write_scene(vtkReliefScene(), odd)
+            self.assertEqual(os.listdir(os.fsencode(folder)), [b"\xff.json"])
+            reliefshading.read_scene(os.fsdecode(odd))
+            os.remove(odd)
             refused(OSError, "folder", reliefshading.read_scene, folder)
             for content, text in (("", "empty"), ("{", "scene.json"), ("{}", "reliefScene"),
-                                  ('{"reliefScene": 1,\n"heightScale": -1}', "line 2.*heightScale"),
+                                  ('{"reliefScene": 1,\n"tolerance": -1}', "line 2.*tolerance"),
                                   ('{"reliefScene": 2}', "version 2")):
                 pathlib.Path(name).write_text(content, encoding="utf-8")
                 refused(ValueError, text, reliefshading.read_scene, name)
