@@ -28,7 +28,7 @@ static_assert(HeightField::GetReach(2) <= 65);
 constexpr double Ahead = 66.0;
 
 // By how much rays of a tile toward a lamp may be ahead of others, and so be looked at together.
-constexpr double Apart = 64.0;
+constexpr double AheadOfOthers = 64.0;
 
 // A lamp this near may be anywhere to the samples about it.
 constexpr double Near = 512.0;
@@ -333,7 +333,7 @@ void TileRegions::FollowSun(const Search& search) const
 void TileRegions::GoRound(const Search& search, Rectangle box) const
 {
   const Path& path = search.path;
-  search.found.read.Add(this->LookedAt(box, Ahead + Apart));
+  search.found.read.Add(this->LookedAt(box, Ahead + AheadOfOthers));
   if (path.floored || path.steps || !this->MeetsEdge(box))
   {
     return;
@@ -393,8 +393,8 @@ void TileRegions::FollowLamp(const Search& search) const
   // The lowest foot of rays that are traced together, and the least climb.
   const double top = this->Heights.GetField().GetTop();
   const double rise = path.z - search.highest;
-  Way way = { 1.0, Step / far, Ahead / near, Apart + 4.0 * std::max(path.asideX, path.asideY), 0.0,
-    -1.0 };
+  Way way = { 1.0, Step / far, Ahead / near,
+    AheadOfOthers + 4.0 * std::max(path.asideX, path.asideY), 0.0, -1.0 };
   if (rise > 0.0 && !path.steps)
   {
     way.climb = rise * (near / (far + 2.0 * RasterBounds::RegionSize));
