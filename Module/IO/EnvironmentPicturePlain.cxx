@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnvironmentPicture.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkFloatArray.h"
-#include "vtkHDRReader.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include "FileGuard.h"
 #include "RadianceHeader.h"
+#include "Refusals.h"
 
+#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+#include <vector>
 
 namespace relief::io
 {
 namespace
 {
-/// Throws a Failure unless there is a Radiance picture whose upper row comes first. Without
-/// OpenImageIO there is no other format with numbers as large as the sun's.
+/// Throws a Failure unless there is a Radiance picture that can be read. Without OpenImageIO there
+/// is no other format with numbers as large as the sun's.
 RadianceHeader CheckedHeader(const std::string& fileName)
 {
   if (!vtksys::SystemTools::PathExists(fileName))
@@ -41,42 +44,68 @@ RadianceHeader CheckedHeader(const std::string& fileName)
   const RadianceHeader header = ReadRadianceHeader(fileName);
   if (header.Orientation != 1)
   {
-    throw Failure(vtkErrorCode::FileFormatError,
-      "its rows do not go from the top and from the left, -Y and +X; turn it upright");
+    RefuseFormat("its lines do not go from the top, from left to right (-Y +X); turn it upright");
+  }
+  if (header.Columns <= 0 || header.Rows <= 0)
+  {
+    RefuseFormat("its header is damaged: it has no size as \"-Y 512 +X 1024\"");
+  }
+  if (12.0 * header.Columns * header.Rows / 1024.0 > static_cast<double>(PhysicalMemory()))
+  {
+    RefuseFormat("its header gives " + std::to_string(header.Columns) + " x " +
+      std::to_string(header.Rows) + " pixels, which memory cannot hold");
   }
   return header;
 }
 
 //------------------------------------------------------------------------------
-void CheckMemory(vtkHDRReader* reader)
+unsigned char TakeByte(std::istream& stream)
 {
-  const int* extent = reader->GetDataExtent();
-  const double bytes =
-    3.0 * sizeof(float) * (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0);
-  if (bytes / 1024.0 > static_cast<double>(PhysicalMemory()))
+  const int byte = stream.get();
+  if (!stream)
   {
-    throw Failure(vtkErrorCode::FileFormatError,
-      "its header gives " + std::to_string(extent[1] - extent[0] + 1) + " x " +
-        std::to_string(extent[3] - extent[2] + 1) + " pixels, which memory cannot hold");
+    RefuseEnd("it ends early");
+  }
+  return static_cast<unsigned char>(byte);
+}
+
+/// One of a line's four components, in runs and in bytes that differ.
+void TakeRuns(std::istream& stream, unsigned char* component, int columns)
+{
+  for (int i = 0; i < columns;)
+  {
+    const int code = TakeByte(stream);
+    const int count = code > 128 ? code - 128 : code;
+    if (count == 0 || count > columns - i)
+    {
+      RefuseFormat("it is damaged: a compressed line is not as long as the others");
+    }
+    const unsigned char repeated = code > 128 ? TakeByte(stream) : 0;
+    for (const int end = i + count; i < end; ++i)
+    {
+      component[4 * i] = code > 128 ? repeated : TakeByte(stream);
+    }
   }
 }
 
-//------------------------------------------------------------------------------
-/// The stored numbers by what they are to be divided by.
-void Divide(vtkImageData* image, const std::array<double, 3>& exposure)
+/// A line's pixels, of red, green, blue and an exponent.
+void TakeLine(std::istream& stream, std::vector<unsigned char>& pixels, int columns)
 {
-  auto* colors = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
-  if (!colors || colors->GetNumberOfComponents() != 3)
+  std::generate_n(pixels.begin(), 4, [&] { return TakeByte(stream); });
+  const bool compressed =
+    columns >= 8 && columns < 32768 && pixels[0] == 2 && pixels[1] == 2 && pixels[2] < 128;
+  if (!compressed)
   {
-    throw Failure(vtkErrorCode::FileFormatError, "it has no colors");
+    std::generate(pixels.begin() + 4, pixels.end(), [&] { return TakeByte(stream); });
+    return;
   }
-  float* color = colors->GetPointer(0);
-  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i, color += 3)
+  if (256 * pixels[2] + pixels[3] != columns)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      color[c] = static_cast<float>(color[c] / exposure[c]);
-    }
+    RefuseFormat("it is damaged: a compressed line is not as long as the others");
+  }
+  for (int c = 0; c < 4; ++c)
+  {
+    TakeRuns(stream, pixels.data() + c, columns);
   }
 }
 
@@ -84,27 +113,35 @@ void Divide(vtkImageData* image, const std::array<double, 3>& exposure)
 vtkSmartPointer<vtkImageData> ReadRadiance(const std::string& fileName)
 {
   const RadianceHeader header = CheckedHeader(fileName);
-  bool failed = false;
-  vtkNew<vtkCallbackCommand> listener; // whoever asks reports it, in his own name
-  listener->SetClientData(&failed);
-  listener->SetCallback(
-    [](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
-  vtkNew<vtkHDRReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, listener);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
-  reader->SetFileName(fileName.c_str());
-  reader->UpdateInformation();
-  if (!failed)
+  vtksys::ifstream stream(fileName.c_str(), std::ios::binary);
+  stream.seekg(header.Pixels);
+  vtkNew<vtkFloatArray> colors;
+  colors->SetNumberOfComponents(3);
+  if (!colors->Allocate(3 * static_cast<vtkIdType>(header.Columns) * header.Rows))
   {
-    CheckMemory(reader);
-    reader->Update();
+    throw std::bad_alloc();
   }
-  if (failed || reader->GetErrorCode() != vtkErrorCode::NoError)
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(header.Columns) * header.Rows);
+  std::vector<unsigned char> pixels(4 * static_cast<std::size_t>(header.Columns));
+  for (int row = header.Rows - 1; row >= 0; --row)
   {
-    throw Failure(vtkErrorCode::FileFormatError, "it is damaged or ends too early");
+    TakeLine(stream, pixels, header.Columns);
+    float* color = colors->GetPointer(3 * static_cast<vtkIdType>(header.Columns) * row);
+    for (int i = 0; i < header.Columns; ++i, color += 3)
+    {
+      const unsigned char* pixel = pixels.data() + 4 * static_cast<std::size_t>(i);
+      const float unit = pixel[3] == 0 ? 0.0f : std::ldexp(1.0f, pixel[3] - 136);
+      for (int c = 0; c < 3; ++c)
+      {
+        const float stored = static_cast<float>(pixel[c]) * unit;
+        color[c] = static_cast<float>(stored / header.Exposure[c]);
+      }
+    }
   }
-  Divide(reader->GetOutput(), header.Exposure);
-  return reader->GetOutput();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(header.Columns, header.Rows, 1);
+  image->GetPointData()->SetScalars(colors);
+  return vtkSmartPointer<vtkImageData>(image.Get());
 }
 }
 

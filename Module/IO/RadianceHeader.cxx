@@ -7,10 +7,13 @@
 
 #include <vtksys/FStream.hxx>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <locale>
 #include <map>
 #include <sstream>
+#include <system_error>
 
 namespace relief::io
 {
@@ -51,6 +54,15 @@ void Multiply(const std::string& text, std::array<double, 3>& exposure)
     component *= number > 0.0 && std::isfinite(number) ? number : 1.0;
   }
 }
+
+//------------------------------------------------------------------------------
+/// A number above 0 in decimal digits, or 0.
+int Count(const std::string& text)
+{
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  return error == std::errc() && end == text.data() + text.size() ? std::max(count, 0) : 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -90,11 +102,15 @@ RadianceHeader ReadRadianceHeader(const std::string& fileName)
   TakeLine(stream, line);
   static const std::map<std::string, int> orientations{ { "-Y+X", 1 }, { "-Y-X", 2 }, { "+Y-X", 3 },
     { "+Y+X", 4 }, { "+X-Y", 5 }, { "-X-Y", 6 }, { "-X+Y", 7 }, { "+X+Y", 8 } };
+  header.Pixels = stream ? static_cast<std::streamoff>(stream.tellg()) : 0;
   std::istringstream words(line);
   std::string first;
   std::string second;
-  std::string count;
-  words >> first >> count >> second;
+  std::string lines;
+  std::string pixels;
+  words >> first >> lines >> second >> pixels;
+  header.Rows = Count(lines);
+  header.Columns = Count(pixels);
   const auto found = orientations.find(first + second);
   header.Orientation = found == orientations.end() ? 1 : found->second;
   return header;

@@ -6,6 +6,7 @@
 /// What the header of a Radiance picture says. Private to the module.
 
 #include <array>
+#include <ios>
 #include <string>
 
 namespace relief::io
@@ -17,6 +18,12 @@ struct RadianceHeader
   std::array<double, 3> Exposure{ 1.0, 1.0, 1.0 };
   /// How the pixels lie, as EXIF counts: 1 is the upper row first, from left to right.
   int Orientation = 1;
+  /// How many pixels a line has, and how many lines there are, where Orientation is 1; 0 where the
+  /// header does not say it.
+  int Columns = 0;
+  int Rows = 0;
+  /// Where they begin in the file.
+  std::streamoff Pixels = 0;
 };
 
 /// Whether a file begins as Radiance's do.

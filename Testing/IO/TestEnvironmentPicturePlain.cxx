@@ -97,9 +97,12 @@ void TestAgreement()
   writer->SetInputData(image);
   writer->SetFileName((Folder + "written.hdr").c_str());
   writer->Write();
-  Put("rgbe.hdr", "#?RGBE\nGAMMA=2.2\nEXPOSURE=0.3\n\n-Y 3 +X 4\n" + Pixels(12, 3));
-  Put("noformat.hdr", "#?RADIANCE\nPIXASPECT=2\n\n-Y 4 +X 3\n" + Pixels(12, 4));
-  for (const char* name : { "written.hdr", "rgbe.hdr", "noformat.hdr" })
+  Put("rgbe.hdr",
+    "#?RGBE\nGAMMA=2.2\nEXPOSURE=0.3\nFORMAT=32-bit_rle_rgbe\n\n-Y 3 +X 4\n" + Pixels(12, 3));
+  Put("aspect.hdr",
+    "#?RADIANCE\nPIXASPECT=2\nFORMAT=32-bit_rle_rgbe\nCOLORCORR=1 2 3\nEXPOSURE=7\n\n-Y 4 +X 3\n" +
+      Pixels(12, 4));
+  for (const char* name : { "written.hdr", "rgbe.hdr", "aspect.hdr" })
   {
     std::cout << "  " << name << std::endl;
     vtkNew<vtkOpenImageIOReader> reader;
@@ -147,7 +150,7 @@ void TestRefusals()
   }
   for (std::size_t length : { std::size_t(0), std::size_t(1), bytes.size() / 2, bytes.size() - 1 })
   {
-    Refused(Put("short.hdr", head + "-Y 4 +X 8\n" + bytes.substr(0, length)), "ends too early");
+    Refused(Put("short.hdr", head + "-Y 4 +X 8\n" + bytes.substr(0, length)), "ends early");
   }
   // A compressed line that is longer than the picture is wide.
   Refused(Put("run.hdr",
