@@ -192,7 +192,8 @@ void TileRegions::AddEdges(Found& found) const
     const int j = run.row;
     for (int i = run.begin; i < run.end; ++i)
     {
-      if (i == 0 || j == 0 || (i + 1) * RegionSize > last[0] || (j + 1) * RegionSize > last[1])
+      if (i == 0 || j == 0 || (i + 1) * RasterBounds::RegionSize > last[0] ||
+        (j + 1) * RegionSize > last[1])
       {
         need(i, j);
       }
