@@ -193,7 +193,7 @@ void TileRegions::AddEdges(Found& found) const
     for (int i = run.begin; i < run.end; ++i)
     {
       if (i == 0 || j == 0 || (i + 1) * RasterBounds::RegionSize > last[0] ||
-        (j + 1) * RegionSize > last[1])
+        (j + 1) * RasterBounds::RegionSize > last[1])
       {
         need(i, j);
       }
