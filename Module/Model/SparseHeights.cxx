@@ -10,6 +10,8 @@ namespace relief
 
 namespace
 {
+constexpr int RegionSize = RasterBounds::RegionSize;
+
 // Calls body(run) for each of some intervals, in parallel.
 template <class Body>
 void ForIntervals(const RegionSet& regions, const ParallelFor& parallelFor, Body&& body)
@@ -107,22 +109,21 @@ void SparseHeights::ListLayers()
   };
   HeightField& field = this->Heights;
   const HeightView<float>& view = field.Prepared.heights;
-  add(field.Copy, view.stepY, RasterBounds::RegionSize, RasterBounds::RegionSize, view.rows,
-    this->Margin);
+  add(field.Copy, view.stepY, RegionSize, RegionSize, view.rows, this->Margin);
   const int levels = std::min(field.Pyramid.GetNumberOfLevels(), MinMaxPyramid::RegionLevel);
   for (int level = 0; level < levels; ++level)
   {
-    const int side = RasterBounds::RegionSize >> (MinMaxPyramid::BlockShift + level);
+    const int side = RegionSize >> (MinMaxPyramid::BlockShift + level);
     add(field.Pyramid.GetBlocks(level), field.Pyramid.GetColumns(level), side, side,
       field.Pyramid.GetRows(level), 0);
   }
-  constexpr int side = RasterBounds::RegionSize / HeightWindows::Step;
+  constexpr int side = RegionSize / HeightWindows::Step;
   HeightWindows& windows = field.Windows;
   add(windows.GetLows(), windows.GetPitch(), side, side, windows.GetNumberOfRows(), 0);
   add(windows.GetHighs(), windows.GetPitch(), side, side, windows.GetNumberOfRows(), 0);
   for (SlidingBounds& squares : field.Squares)
   {
-    const int squaresOfSide = std::max(RasterBounds::RegionSize >> squares.GetShift(), 1);
+    const int squaresOfSide = std::max(RegionSize >> squares.GetShift(), 1);
     add(squares.GetGreatest(), squares.GetPitch(), 3 * static_cast<std::size_t>(squaresOfSide),
       squaresOfSide, squares.GetNumberOfRows(), 0);
   }
@@ -149,11 +150,11 @@ void SparseHeights::FillRun(const RegionSet::Interval& run, const Source& source
 {
   const HeightView<float>& view = this->Heights.Prepared.heights;
   float* first = this->Heights.Copy.data() + this->Margin;
-  const int i0 = run.begin * RasterBounds::RegionSize;
-  const int i1 = std::min(run.end * RasterBounds::RegionSize, view.columns);
+  const int i0 = run.begin * RegionSize;
+  const int i1 = std::min(run.end * RegionSize, view.columns);
   const float none = std::numeric_limits<float>::quiet_NaN();
-  const int j0 = run.row * RasterBounds::RegionSize;
-  const int j1 = std::min(j0 + RasterBounds::RegionSize, view.rows);
+  const int j0 = run.row * RegionSize;
+  const int j1 = std::min(j0 + RegionSize, view.rows);
   source(i0, i1, j0, j1, first + j0 * view.stepY + i0, view.stepY);
   for (int j = j0; j < j1; ++j)
   {
@@ -234,8 +235,7 @@ void SparseHeights::FillLevel(const RegionSet& regions, const ParallelFor& paral
       {
         for (int i = i0; i < i1; ++i)
         {
-          heights[i - i0] =
-            this->Bounds->RangeAt(i / RasterBounds::RegionSize, j / RasterBounds::RegionSize).hi;
+          heights[i - i0] = this->Bounds->RangeAt(i / RegionSize, j / RegionSize).hi;
         }
       }
     },

@@ -28,7 +28,7 @@ static_assert(HeightField::GetReach(2) <= 65);
 constexpr double Ahead = 66.0;
 
 // By how much rays of a tile toward a lamp may be ahead of others, and so be looked at together.
-constexpr double AheadOfOthers = 64.0;
+constexpr double Apart = 64.0;
 
 // A lamp this near may be anywhere to the samples about it.
 constexpr double Near = 512.0;
@@ -45,11 +45,12 @@ double Slack(double a, double b)
   return 1e-4 * (std::abs(a) + std::abs(b)) + std::numeric_limits<float>::min();
 }
 
+constexpr int RegionSize = RasterBounds::RegionSize;
+
 // The region that holds a place, as far as there can be one.
 int RegionAt(double place, int regions)
 {
-  return static_cast<int>(
-    std::floor(std::clamp(place / RasterBounds::RegionSize, -2.0, regions + 1.0)));
+  return static_cast<int>(std::floor(std::clamp(place / RegionSize, -2.0, regions + 1.0)));
 }
 }
 
@@ -192,8 +193,7 @@ void TileRegions::AddEdges(Found& found) const
     const int j = run.row;
     for (int i = run.begin; i < run.end; ++i)
     {
-      if (i == 0 || j == 0 || (i + 1) * RasterBounds::RegionSize > last[0] ||
-        (j + 1) * RasterBounds::RegionSize > last[1])
+      if (i == 0 || j == 0 || (i + 1) * RegionSize > last[0] || (j + 1) * RegionSize > last[1])
       {
         need(i, j);
       }
@@ -334,7 +334,7 @@ void TileRegions::FollowSun(const Search& search) const
 void TileRegions::GoRound(const Search& search, Rectangle box) const
 {
   const Path& path = search.path;
-  search.found.read.Add(this->LookedAt(box, Ahead + AheadOfOthers));
+  search.found.read.Add(this->LookedAt(box, Ahead + Apart));
   if (path.floored || path.steps || !this->MeetsEdge(box))
   {
     return;
@@ -394,11 +394,11 @@ void TileRegions::FollowLamp(const Search& search) const
   // The lowest foot of rays that are traced together, and the least climb.
   const double top = this->Heights.GetField().GetTop();
   const double rise = path.z - search.highest;
-  Way way = { 1.0, Step / far, Ahead / near,
-    AheadOfOthers + 4.0 * std::max(path.asideX, path.asideY), 0.0, -1.0 };
+  Way way = { 1.0, Step / far, Ahead / near, Apart + 4.0 * std::max(path.asideX, path.asideY), 0.0,
+    -1.0 };
   if (rise > 0.0 && !path.steps)
   {
-    way.climb = rise * (near / (far + 2.0 * RasterBounds::RegionSize));
+    way.climb = rise * (near / (far + 2.0 * RegionSize));
     way.end = std::min((top - search.lowest + Slack(top, search.lowest)) / way.climb, 1.0);
   }
   if (!path.floored && !path.steps)
@@ -416,11 +416,11 @@ void TileRegions::FollowLamp(const Search& search) const
 void TileRegions::FollowFrom(const Path& path, const Rectangle& samples, Found& found) const
 {
   RasterBounds::Range range;
-  const int i1 = static_cast<int>(samples.x1) / RasterBounds::RegionSize;
-  const int j1 = static_cast<int>(samples.y1) / RasterBounds::RegionSize;
-  for (int j = static_cast<int>(samples.y0) / RasterBounds::RegionSize; j <= j1; ++j)
+  const int i1 = static_cast<int>(samples.x1) / RegionSize;
+  const int j1 = static_cast<int>(samples.y1) / RegionSize;
+  for (int j = static_cast<int>(samples.y0) / RegionSize; j <= j1; ++j)
   {
-    for (int i = static_cast<int>(samples.x0) / RasterBounds::RegionSize; i <= i1; ++i)
+    for (int i = static_cast<int>(samples.x0) / RegionSize; i <= i1; ++i)
     {
       range.lo = std::min(range.lo, this->Bounds.RangeAt(i, j).lo);
       range.hi = std::max(range.hi, this->Bounds.RangeAt(i, j).hi);
@@ -466,9 +466,8 @@ TileRegions::Found TileRegions::Find(int i0, int i1, int j0, int j1) const
     }
     // Region by region corridors are tight; of very many lights, or where points are sunk far
     // aside, one for all of the tile does.
-    const int size = aside > 4.0 * RasterBounds::RegionSize || this->Paths.size() > MostTight
-      ? std::max(i1, j1)
-      : RasterBounds::RegionSize;
+    const int size =
+      aside > 4.0 * RegionSize || this->Paths.size() > MostTight ? std::max(i1, j1) : RegionSize;
     for (int j = j0 / size * size; j < j1; j += size)
     {
       for (int i = i0 / size * size; i < i1; i += size)

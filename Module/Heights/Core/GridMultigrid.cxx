@@ -11,7 +11,7 @@ namespace
 {
 // Nodes of a block: sweeps of blocks go side by side, and sums are those of blocks, however many
 // threads there are.
-constexpr int NodesOfBlock = 4096;
+constexpr int BlockSize = 4096;
 
 // Fewer are done before another thread has come.
 constexpr int LeastBlocks = 6;
@@ -255,7 +255,7 @@ void GridMultigrid::PrepareSweeps(Level& level)
     {
       for (const std::pair<int, double>& entry : row)
       {
-        const bool isInside = entry.first / NodesOfBlock == node / NodesOfBlock;
+        const bool isInside = entry.first / BlockSize == node / BlockSize;
         if (isInside == inside && (!inside || (entry.first < node) == before))
         {
           graph.neighbors[next] = entry.first;
@@ -317,12 +317,12 @@ void GridMultigrid::AddLevels(Graph&& graph)
 //------------------------------------------------------------------------------
 void GridMultigrid::ForNodes(int count, const std::function<void(int, int)>& body) const
 {
-  const int blocks = (count + NodesOfBlock - 1) / NodesOfBlock;
+  const int blocks = (count + BlockSize - 1) / BlockSize;
   const auto some = [&](int begin, int end)
   {
     for (int block = begin; block < end; ++block)
     {
-      body(block * NodesOfBlock, std::min(count, (block + 1) * NodesOfBlock));
+      body(block * BlockSize, std::min(count, (block + 1) * BlockSize));
     }
   };
   if (blocks < LeastBlocks)
@@ -338,7 +338,7 @@ void GridMultigrid::ForNodes(int count, const std::function<void(int, int)>& bod
 //------------------------------------------------------------------------------
 double GridMultigrid::Sum(const std::vector<double>& a, const std::vector<double>& b) const
 {
-  std::vector<double> sums((a.size() + NodesOfBlock - 1) / NodesOfBlock);
+  std::vector<double> sums((a.size() + BlockSize - 1) / BlockSize);
   this->ForNodes(static_cast<int>(a.size()),
     [&](int begin, int end)
     {
@@ -347,7 +347,7 @@ double GridMultigrid::Sum(const std::vector<double>& a, const std::vector<double
       {
         sum += a[node] * b[node];
       }
-      sums[begin / NodesOfBlock] = sum;
+      sums[begin / BlockSize] = sum;
     });
   double sum = 0.0;
   for (const double block : sums)

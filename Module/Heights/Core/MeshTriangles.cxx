@@ -12,7 +12,7 @@ namespace relief
 
 namespace
 {
-constexpr double FarthestPoint = 1e100;
+constexpr double Farthest = 1e100;
 
 // A vector of any size that is finite and not 0.
 glm::dvec3 Direction(const double v[3])
@@ -70,8 +70,8 @@ void PointBounds::Add(const double from[3], const double to[3])
 //------------------------------------------------------------------------------
 bool IsUsablePoint(const double point[3])
 {
-  return std::abs(point[0]) <= FarthestPoint && std::abs(point[1]) <= FarthestPoint &&
-    std::abs(point[2]) <= FarthestPoint;
+  return std::abs(point[0]) <= Farthest && std::abs(point[1]) <= Farthest &&
+    std::abs(point[2]) <= Farthest;
 }
 
 //------------------------------------------------------------------------------
