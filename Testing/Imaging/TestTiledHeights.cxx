@@ -10,7 +10,9 @@
 #include "vtkReliefStatistics.h"
 #include "vtkReliefVerification.h"
 #include "vtkShortArray.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include "ReliefLongRunTestUtilities.h"
 #include "ReliefTestUtilities.h"
@@ -199,6 +201,45 @@ void TestArray()
   CHECK(std::isnan(copy[7 * 200 + 5])); // the one without data
 }
 
+// The same samples are retraced, with the same result, and a failure is told.
+void TestVerification()
+{
+  Pair pair;
+  pair.SetHeights(MakeHeights(300, 200, Waves), nullptr, false, 0.0);
+  pair.Whole->GenerateIlluminationOn();
+  pair.Tiled->GenerateIlluminationOn();
+  vtkNew<vtkReliefVerification> whole;
+  whole->SetShading(pair.Whole);
+  whole->Update();
+  vtkNew<vtkReliefVerification> tiled;
+  tiled->SetShading(pair.Tiled);
+  MessageKeeper messages(tiled);
+  MessageKeeper shading(pair.Tiled);
+  tiled->Update();
+  CHECK(messages.Silent());
+  CHECK(tiled->GetKept() && tiled->GetNumberOfRetracedSamples() == 1000);
+  CHECK(tiled->GetLargestError() == whole->GetLargestError());
+  vtkTable* expected = whole->GetOutput();
+  vtkTable* table = tiled->GetOutput();
+  CHECK(table->GetNumberOfRows() > 0 && table->GetNumberOfRows() == expected->GetNumberOfRows());
+  CHECK(table->GetNumberOfColumns() == expected->GetNumberOfColumns());
+  bool same = true;
+  for (vtkIdType row = 0; row < expected->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < expected->GetNumberOfColumns(); ++column)
+    {
+      same &= table->GetValue(row, column) == expected->GetValue(row, column);
+    }
+  }
+  CHECK(same);
+  pair.Supply->Fails = true;
+  pair.Tiled->Modified();
+  tiled->SetSeed(2);
+  tiled->Update();
+  CHECK(messages.OneError("the disk is gone"));
+  CHECK(!tiled->GetKept() && table->GetNumberOfRows() == 0);
+}
+
 void TestErrors()
 {
   Pair pair;
@@ -223,12 +264,7 @@ void TestErrors()
   pair.Supply->Fails = false;
   pair.Tiled->Modified();
   CHECK(Compare(pair.Whole->GetOutput(), pair.Tiled, next).empty());
-  // What needs all heights says so.
-  vtkNew<vtkReliefVerification> verification;
-  MessageKeeper verified(verification);
-  verification->SetShading(pair.Tiled);
-  verification->Update();
-  CHECK(verified.OneError("read as they are needed"));
+  // What cannot be had beside such heights says so.
   pair.Tiled->SetMaskData(pair.Heights);
   pair.Tiled->UpdateExtent(next);
   CHECK(messages.OneError("no mask beside their own"));
@@ -240,6 +276,7 @@ int TestTiledHeights(int, char*[])
   TestRandomPictures();
   TestWhatIsRead();
   TestArray();
+  TestVerification();
   TestErrors();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
