@@ -14,7 +14,7 @@ from Reliefshade import JACKSBORO, PROGRAM, Case, Picture, needsGdal, needsGdalT
 
 # An option that is new in the help belongs here, and into a test.
 OPTIONS = """
-    --accuracy-report --attenuation --band --bands --base --base-texture --channel --co --compress --degrees --density --depth --diffuse --encoding --env
+    --accuracy-report --attenuation --band --bands --base --base-texture --beyond-memory --channel --co --compress --degrees --density --depth --diffuse --encoding --env
     --env-intensity --env-mirror --env-radius --env-rotation --env-samples --env-sampling --env-tilt --floor
     --exposure --format --frames --height-scale --help --help-all --integrator --kf --ks --layers --mask --memory --memory-limit --nodata
     --nodata-out --normal-map --normal-method
