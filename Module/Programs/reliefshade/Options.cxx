@@ -379,7 +379,7 @@ void addRunOptions(OptionParser& parser, Options& options)
     "the same is asked for again. Default: all of the machine's, unless --memory-limit is given",
     [&options](const std::string& word) { options.Memory = toBytes("--memory", word); });
   parser.Choice("--beyond-memory",
-    "What is done where even small pieces depend on more heights than --memory has room for. "
+    "What is done where even small pieces depend on more heights than fit. "
     "refuse: the run ends; bounds: the farthest heights are known by their bounds only, as few as "
     "need be, and the run ends where that may change an illumination by more than --tolerance. "
     "Default: refuse",
