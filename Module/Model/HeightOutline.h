@@ -21,7 +21,7 @@ namespace relief
 /// beyond the data depends on slopes, and what a hole is on where data are.
 ///
 /// The model's text traces both in double precision, a ray at a time, over fields that answer for
-/// what is not there. That takes no memory, but some 20 times as long as the loops in lanes.
+/// what is not there. That takes no memory, but some 40 times as long as the loops in lanes.
 /// Nothing of a tolerance is used up: rays run to their end.
 class HeightOutline
 {

@@ -67,13 +67,15 @@ def shade_pieces(shading, file, comm=None, *, memory=None, cloud_optimized=False
     """
     from . import vtkReliefPieceWriter
 
+    if memory is not None and not memory >= 1024:
+        raise ValueError(f"memory: {memory!r} was given, a number of bytes of at least 1024 is expected")
     comm = _Alone() if comm is None else comm
     process, processes = comm.Get_rank(), comm.Get_size()
     writer = vtkReliefPieceWriter()
     writer.SetShading(shading)
     writer.SetFileName(str(file))
     writer.SetProcess(process, processes)
-    writer.SetMemoryLimit(max(int(memory) // 1024, 1) if memory is not None
+    writer.SetMemoryLimit(int(memory) // 1024 if memory is not None
                           else max(writer.GetMemoryLimit() // processes, 1))
     writer.SetCloudOptimized(cloud_optimized)
     writer.SetOverviews(overviews)

@@ -509,6 +509,20 @@ class Beyond(Memory):
         self.bad(1, ["--beyond-memory", "no tolerance", "give --memory"], "a.tif", "tiles.tif", *self.LITTLE,
                  *self.BOUNDS, "--sun", "300,1.5", "--tolerance", "1", "--layers", "thickness")
 
+    def test_verified(self):
+        said = self.run_("a.tif", "tiles.tif", *self.LOW, *self.LITTLE, *self.BOUNDS, "--tolerance", "0.001",
+                         "--verify", "100")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("bounds only", said.stderr)
+        self.assertIn("100 samples", said.stdout)
+
+    def test_tiles_know_the_memory(self):
+        words = ("a.tif", "--xyz", "tiles", "--zoom", "9", "--quiet", *self.LOW[:2], *self.BOUNDS,
+                 "--tolerance", "0.01")
+        self.good(*words, "--memory", "11M")
+        self.bad(1, ["tiles", "another run", "heights by bounds"], *words, "--memory", "11500K")
+        self.good(*words, "--memory", "11264K")  # as much as the first
+
     def test_nothing_is_left_out_of_what_fits(self):
         self.assertSame("--sun", "300,8", *self.BOUNDS)
 
@@ -547,6 +561,15 @@ class Processes(Memory):
             for name in ("%s.tif", "%s-illumination.tif"):
                 self.assertEqual(self.bytes_(name % "tiles"), self.bytes_(name % "whole"), count)
             self.assertFalse(os.path.exists(self.path(PARTS)))
+
+    def test_the_same_beyond_memory(self):
+        words = (*Beyond.LOW, *Beyond.LITTLE, *Beyond.BOUNDS, "--tolerance", "0.001", "--verify", "50")
+        whole = self.run_("a.tif", "whole.tif", *words)
+        self.assertIn("bounds only", whole.stderr)
+        result = self.mpi(3, "a.tif", "tiles.tif", *words)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, whole.stdout, whole.stderr))
+        for name in ("%s.tif", "%s-illumination.tif"):
+            self.assertEqual(self.bytes_(name % "tiles"), self.bytes_(name % "whole"))
 
     @unittest.skipUnless(shutil.which("idiff"), "needs idiff of OpenImageIO")
     def test_layers_in_one_file(self):

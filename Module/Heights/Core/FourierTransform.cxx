@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FourierTransform.h"
 
+#include "Angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -95,9 +97,8 @@ struct SumsOf5
 //------------------------------------------------------------------------------
 std::complex<double> TurnedBy(long long numerator, long long denominator)
 {
-  const double pi = 3.14159265358979323846;
   const double angle =
-    pi * static_cast<double>(numerator % (2 * denominator)) / static_cast<double>(denominator);
+    Pi * static_cast<double>(numerator % (2 * denominator)) / static_cast<double>(denominator);
   return { std::cos(angle), std::sin(angle) };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NormalIntegration.h"
 
+#include "Angles.h"
 #include "CosineTransform.h"
 #include "GridMultigrid.h"
 
@@ -74,11 +75,10 @@ public:
 private:
   static std::vector<double> Eigenvalues(int count, double weight)
   {
-    const double pi = 3.14159265358979323846;
     std::vector<double> values(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
     {
-      const double sine = std::sin(0.5 * pi * k / count);
+      const double sine = std::sin(0.5 * Pi * k / count);
       values[k] = 4.0 * weight * sine * sine;
     }
     return values;

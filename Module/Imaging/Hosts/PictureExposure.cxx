@@ -13,6 +13,9 @@ namespace relief::hosts
 {
 namespace
 {
+// Of a field that is filled as it is needed, so many are filled for at a time.
+constexpr int TilesAtOnce = 16;
+
 //------------------------------------------------------------------------------
 std::vector<HeightSupply::Window> WindowsOf(
   const AutomaticExposure& exposure, const HeightView<float>& heights, int begin, int end)
@@ -31,7 +34,7 @@ std::vector<HeightSupply::Window> WindowsOf(
 
 //------------------------------------------------------------------------------
 PictureExposure FindExposure(vtkReliefScene* scene, const HeightField& field,
-  const Scene& converted, const WindowProvider& provide, int tilesAtOnce)
+  const Scene& converted, const WindowProvider& provide, bool sparing)
 {
   PictureExposure result;
   result.stops = converted.exposure;
@@ -41,7 +44,7 @@ PictureExposure FindExposure(vtkReliefScene* scene, const HeightField& field,
   }
   AutomaticExposure exposure(field, converted);
   const int count = exposure.GetNumberOfTiles();
-  const int step = provide ? tilesAtOnce : std::max(count, 1);
+  const int step = !provide ? std::max(count, 1) : sparing ? 1 : TilesAtOnce;
   for (int first = 0; first < count; first += step)
   {
     const int last = std::min(first + step, count);

@@ -40,10 +40,10 @@ using WindowProvider =
 
 /// The scene's exposure, or, where it is automatic, the one that suits the picture (on all
 /// threads). `converted` is what the scene has become. A field that is not in memory as a whole
-/// needs a provider, which is called for some tiles at a time: few, where there is little memory.
+/// needs a provider, which is called for some tiles at a time, or, `sparing`, one after another.
 VTKRELIEFSHADING_EXPORT PictureExposure FindExposure(vtkReliefScene* scene,
   const HeightField& field, const Scene& converted,
-  const WindowProvider& provide = WindowProvider(), int tilesAtOnce = 16);
+  const WindowProvider& provide = WindowProvider(), bool sparing = false);
 }
 
 #endif

@@ -134,7 +134,7 @@ void ShadingRun::FindExposure()
   else if (this->ExposedScene != version || this->ExposedField != field)
   {
     this->Exposure = hosts::FindExposure(this->Inputs.GetScene(), this->Inputs.GetField(),
-      this->Scene.Get(), this->GetProvider(), std::isfinite(this->Limit.bytes) ? 1 : 16);
+      this->Scene.Get(), this->GetProvider(), std::isfinite(this->Limit.bytes));
     this->ExposedScene = version;
     this->ExposedField = field;
   }
@@ -234,8 +234,7 @@ std::string ShadingRun::Finish(vtkReliefStatistics* statistics)
   if (std::isinf(taken))
   {
     return "the layers Thickness and Shadow and fixed steps know no tolerance, and depend on "
-           "heights "
-           "that are left out; do without" +
+           "heights that are left out; do without" +
       limit;
   }
   std::ostringstream text;

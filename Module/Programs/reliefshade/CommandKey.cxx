@@ -6,7 +6,6 @@
 #include "vtkImageReliefShading.h"
 
 #include <algorithm>
-#include <iterator>
 #include <sstream>
 
 namespace
@@ -16,14 +15,6 @@ namespace
 const std::vector<std::string> Indifferent = { "--memory", "--memory-limit", "--quiet",
   "--statistics", "--threads", "--xyz" };
 const std::vector<std::string> WithValue = { "--memory", "--memory-limit", "--threads", "--xyz" };
-
-/// Whether what heights may take decides which of them are left out.
-bool leavesOut(const std::vector<std::string>& words)
-{
-  const auto at = std::find(words.begin(), words.end(), "--beyond-memory");
-  return std::find(words.begin(), words.end(), "--beyond-memory=bounds") != words.end() ||
-    (at != words.end() && std::next(at) != words.end() && *std::next(at) == "bounds");
-}
 
 bool isAmong(const std::string& word, const std::vector<std::string>& words)
 {
@@ -54,7 +45,7 @@ std::string commandKey(const std::vector<std::string>& words, const std::vector<
     const std::size_t equals =
       words[k].compare(0, 2, "--") == 0 ? words[k].find('=') : std::string::npos;
     const std::string option = words[k].substr(0, equals);
-    if (isAmong(option, Indifferent) && !(option == "--memory" && leavesOut(words)))
+    if (isAmong(option, Indifferent))
     {
       k += isAmong(option, WithValue) && equals == std::string::npos ? 1 : 0;
       continue;

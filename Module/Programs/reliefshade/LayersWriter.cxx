@@ -181,23 +181,6 @@ LayersWriter::LayersWriter(const std::string& file)
 LayersWriter::~LayersWriter() = default;
 
 //------------------------------------------------------------------------------
-void LayersWriter::Try(const std::function<void()>& step) const
-{
-  aboutFile(this->File.Target(),
-    [&]
-    {
-      try
-      {
-        step();
-      }
-      catch (const relief::io::Failure& failure)
-      {
-        throw relief::io::Failure(failure.Code, this->File.Reword(failure.what()));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 void LayersWriter::Begin(vtkImageReliefShading* shading, const LayerNames& layers,
   const GeoReference& reference, bool tiled)
 {
@@ -224,7 +207,7 @@ void LayersWriter::Begin(vtkImageReliefShading* shading, const LayerNames& layer
       attributes[name] = found->second;
     }
   }
-  this->Try(
+  this->File.Try(
     [&]
     {
       this->Rows = imageFormats().NewLayerRows(this->File.Name(), place, shading->GetScene(),
@@ -247,13 +230,13 @@ void LayersWriter::WriteRows(vtkImageData* part)
   {
     data->AddArray(layerArray(part, layer));
   }
-  this->Try([&] { this->Rows->Write(rows); });
+  this->File.Try([&] { this->Rows->Write(rows); });
 }
 
 //------------------------------------------------------------------------------
 void LayersWriter::Finish()
 {
-  this->Try([&] { this->Rows->Finish(); });
+  this->File.Try([&] { this->Rows->Finish(); });
   this->Rows.reset();
 }
 

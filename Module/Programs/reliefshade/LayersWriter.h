@@ -68,8 +68,6 @@ public:
   OutputFile& GetFile() { return this->File; }
 
 private:
-  void Try(const std::function<void()>& step) const;
-
   OutputFile File;
   LayerNames Layers;
   std::unique_ptr<LayerRows> Rows;

@@ -111,6 +111,23 @@ std::string OutputFile::Reword(const std::string& text) const
 }
 
 //------------------------------------------------------------------------------
+void OutputFile::Try(const std::function<void()>& step) const
+{
+  aboutFile(this->Target(),
+    [&]
+    {
+      try
+      {
+        step();
+      }
+      catch (const relief::io::Failure& failure)
+      {
+        throw relief::io::Failure(failure.Code, this->Reword(failure.what()));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 void OutputFile::WriteText(const std::string& text) const
 {
   aboutFile(this->Target(),

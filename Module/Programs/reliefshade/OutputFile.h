@@ -4,6 +4,7 @@
 
 #include "StagedFile.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ public:
 
   /// What a writer says against the file, without any name that it may begin with.
   std::string Reword(const std::string& text) const;
+
+  /// Runs a step that writes there. What stops it is thrown as a Failure that names the target.
+  void Try(const std::function<void()>& step) const;
 
   /// Writes a text there. Throws a Failure that names the target.
   void WriteText(const std::string& text) const;

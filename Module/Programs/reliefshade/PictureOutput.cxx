@@ -209,7 +209,7 @@ PictureOutput::PictureOutput(
     this->Form.Tiff.NoData = 0.0;
   }
   aboutFile(file, [this] { relief::io::CheckPlace(this->File.Name()); });
-  this->AboutTiff([this] { relief::raster::CheckForm(this->Form.Tiff); });
+  this->File.Try([this] { relief::raster::CheckForm(this->Form.Tiff); });
 #endif
 }
 
@@ -262,23 +262,6 @@ double PictureOutput::GetBytesPerSample() const
 }
 
 //------------------------------------------------------------------------------
-void PictureOutput::AboutTiff(const std::function<void()>& step) const
-{
-  aboutFile(this->File.Target(),
-    [&]
-    {
-      try
-      {
-        step();
-      }
-      catch (const relief::io::Failure& failure)
-      {
-        throw relief::io::Failure(failure.Code, this->File.Reword(failure.what()));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
 void PictureOutput::Begin(const int size[2])
 {
   std::copy_n(size, 2, this->Size);
@@ -294,7 +277,7 @@ void PictureOutput::Begin(const int size[2])
 #ifdef RELIEFRASTER_USE_GDAL
   if (this->Tiff)
   {
-    this->AboutTiff(
+    this->File.Try(
       [this]
       {
         this->Rows = std::make_unique<relief::raster::GeoTiffFile>(this->File.Name(), this->Size,
@@ -356,7 +339,7 @@ void PictureOutput::WriteRows(vtkImageData* part)
     return;
   }
 #ifdef RELIEFRASTER_USE_GDAL
-  this->AboutTiff(
+  this->File.Try(
     [&]
     {
       this->Rows->Write(rows, this->Buffer.data(), static_cast<std::ptrdiff_t>(bytes),
@@ -377,7 +360,7 @@ void PictureOutput::Finish()
 #ifdef RELIEFRASTER_USE_GDAL
   if (this->Tiff)
   {
-    this->AboutTiff([this] { this->Rows->Finish([](double) { return !interrupted(); }); });
+    this->File.Try([this] { this->Rows->Finish([](double) { return !interrupted(); }); });
     this->Rows.reset();
     return;
   }

@@ -83,7 +83,6 @@ public:
 private:
   void TryFormat();
   void BeginWhole(vtkImageData* part);
-  void AboutTiff(const std::function<void()>& step) const;
 
   OutputFile File;
   PictureForm Form;

@@ -109,6 +109,14 @@ namespace reliefshade
 {
 
 //------------------------------------------------------------------------------
+std::string memoryKey(const Options& options)
+{
+  return options.BoundsBeyondMemory
+    ? "heights by bounds: of " + std::to_string(static_cast<long long>(memoryOf(options))) + "\n"
+    : "";
+}
+
+//------------------------------------------------------------------------------
 bool readsAsNeeded(const Options& options, const ReadOptions& reading,
   std::unique_ptr<relief::raster::RasterFile>& opened)
 {
@@ -299,7 +307,8 @@ void TileShading::LeaveOut(double sampleBytes)
     "the least piece, " + std::to_string(plan.GetColumns()) + " x " +
       std::to_string(plan.GetRows()) + " samples, depends on heights that take more" +
       (this->Given.BoundsBeyondMemory ? ", of which none can be left out" : "") +
-      "; give at least " + inMebibytes(plan.MemoryFor(largest)));
+      "; give at least " + inMebibytes(plan.MemoryFor(largest)) +
+      (this->Given.BoundsBeyondMemory ? "" : ", or --beyond-memory bounds"));
 }
 
 //------------------------------------------------------------------------------

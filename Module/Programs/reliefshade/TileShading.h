@@ -36,6 +36,10 @@ bool readsAsNeeded(const Options& options, const ReadOptions& reading,
 /// goes through them once. Throws a Failure.
 Raster readAsNeeded(const Options& options);
 
+/// The memory that decides which heights are left out, for the key of a run, as a line; empty where
+/// none may be.
+std::string memoryKey(const Options& options);
+
 /// Whether heights are read as they are needed.
 bool isTiled(const Raster& raster);
 

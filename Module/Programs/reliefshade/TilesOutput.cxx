@@ -12,6 +12,7 @@
 
 #ifdef RELIEFSHADE_STREAMING
 #include "CommandKey.h"
+#include "TileShading.h"
 #include "WebTiles.h"
 #endif
 
@@ -191,7 +192,7 @@ void runTiles(
         [&]
         {
           tiles = first ? std::make_unique<relief::streaming::WebTiles>(
-                            options.TilesFolder, commandKey(words, named))
+                            options.TilesFolder, commandKey(words, named) + memoryKey(options))
                         : nullptr;
         });
       // What the first one finds, all know.
