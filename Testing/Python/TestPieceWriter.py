@@ -259,6 +259,8 @@ class TestOneProcess(unittest.TestCase):
             self.assertIn(said, heard.errors[0])
             self.assertNotEqual(writer.GetErrorCode(), 0)
         with self.assertRaisesRegex(RuntimeError, "MemoryLimit.*give at least"):
+            reliefshading.shade_pieces(self.shading(), self.picture, memory=4096)
+        with self.assertRaisesRegex(ValueError, "memory: 1000 was given, .* at least 1024"):
             reliefshading.shade_pieces(self.shading(), self.picture, memory=1000)
         writer = vtkReliefPieceWriter()
         with listening(writer) as heard:
