@@ -71,7 +71,7 @@ class Picture:
         for y in range(self.height):
             kind = raw[y * (stride + 1)]
             row = bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
-            for i in range(stride):
+            for i in range(stride if kind else 0):  # rows as they are take no time
                 a = row[i - step] if i >= step else 0
                 b = above[i]
                 c = above[i - step] if i >= step else 0
