@@ -7,113 +7,79 @@
 import { createHash } from "node:crypto";
 import {
   copyFileSync,
-  cpSync,
-  existsSync,
   mkdirSync,
   readdirSync,
   readFileSync,
   rmSync,
+  statSync,
   writeFileSync,
 } from "node:fs";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { metresOfDegree } from "./geodesy.js";
 import { medallionHeights } from "./medallion.mjs";
 
-const [source, packageFolder, webgl, modules, terrainFile, figureFile, output] = process.argv.slice(2);
+const [source, packageFolder, webgl, modules, terrainFile, figureFile, output] = process.argv
+  .slice(2)
+  .map((path) => resolve(path));
 
-const pageFiles = [
-  "index.html",
-  "style.css",
-  "main.js",
-  "offline.js",
-  "history.js",
-  "scene.js",
-  "source-section.js",
-  "sources.js",
-  "geodesy.js",
-  "hdr.js",
-  "files.js",
-  "files.worker.js",
-  "picture.js",
-  "view.js",
-  "gestures.js",
-  "lights.js",
-  "controls.js",
-  "panel.js",
-];
+const { build } = await import(pathToFileURL(join(modules, "esbuild", "lib", "main.js")));
 
 //--------------------------------------------------------------------------------------------------
-// Libraries as they are, but for the names by which their modules find each other: browsers know no others than
-// paths, in workers.
-const libraries = { "fast-png": "lib", iobuffer: "lib", fflate: "esm" };
-const entries = { iobuffer: "iobuffer/iobuffer.js", fflate: "fflate/browser.js" };
+// The page's scripts, each with all that it needs in one file: requests for some fifty modules would take longer
+// than what they do. What few need is a script of its own.
+const scripts = [
+  join(source, "main.js"),
+  join(packageFolder, "worker.js"),
+  ...["files.worker.js", "tiff.js", "hdr.js"].map((name) => join(source, name)),
+];
 
-const copied = []; // their files
-
-function copyLibrary(name, folder, depth = "../") {
-  const from = join(modules, name, folder);
-  const to = join(output, "libraries", name);
-  const copy = (below) => {
-    mkdirSync(join(to, below), { recursive: true });
-    for (const entry of readdirSync(join(from, below), { withFileTypes: true })) {
-      const path = join(below, entry.name);
-      if (entry.isDirectory()) {
-        copy(path);
-      } else if (path.endsWith(".js")) {
-        const up = depth + "../".repeat(path.split(/[\\/]/).length - 1);
-        const text = readFileSync(join(from, path), "utf8")
-          .replace(
-            /(\bfrom\s*)(['"])(iobuffer|fflate)\2/g,
-            (_, word, quote, library) => `${word}${quote}${up}${entries[library]}${quote}`,
-          )
-          .replace(/^\/\/# sourceMappingURL=.*$/m, "");
-        writeFileSync(join(to, path), text);
-        copied.push(`${name}/${path.replaceAll("\\", "/")}`);
-      }
-    }
-  };
-  copy("");
-}
-
-// Two loaders of three.js, and what they need of it.
-function copyLoaders() {
-  const folder = join(output, "libraries", "three");
-  mkdirSync(folder, { recursive: true });
-  copyFileSync(join(modules, "three", "build", "three.core.js"), join(folder, "three.core.js"));
-  for (const name of ["EXRLoader.js", "HDRLoader.js"]) {
-    const text = readFileSync(join(modules, "three", "examples", "jsm", "loaders", name), "utf8")
-      .replace(/(\bfrom\s*)'three'/, "$1'./three.core.js'")
-      .replace(/(\bfrom\s*)'\.\.\/libs\/fflate\.module\.js'/, `$1'../${entries.fflate}'`);
-    writeFileSync(join(folder, name), text);
-  }
-}
-
-function copyLibraries() {
-  Object.entries(libraries).forEach(([name, folder]) => copyLibrary(name, folder));
-  mkdirSync(join(output, "libraries", "geotiff"), { recursive: true });
-  const text = readFileSync(join(modules, "geotiff", "dist-browser", "geotiff.js"), "utf8");
-  writeFileSync(
-    join(output, "libraries", "geotiff", "geotiff.js"),
-    text.replace(/^\/\/# sourceMappingURL=.*$/m, ""),
-  );
-  copyLoaders();
-  // geotiff.js has its own dependencies in it.
-  const parts = readdirSync(modules).flatMap((name) =>
-    name.startsWith(".")
-      ? []
-      : name.startsWith("@")
-        ? readdirSync(join(modules, name)).map((inner) => `${name}/${inner}`)
-        : [name],
-  );
-  const names = ["LICENSE", "LICENCE", "LICENSE.md", "LICENSE.txt"];
-  const texts = parts.map((name) => {
-    const { version, license } = JSON.parse(readFileSync(join(modules, name, "package.json"), "utf8"));
-    const file = names.map((one) => join(modules, name, one)).find(existsSync);
-    return `${name} ${version}: ${license}\n\n${file ? readFileSync(file, "utf8").trim() : ""}\n`;
+async function bundle(entryPoints, how = {}) {
+  const { metafile } = await build({
+    entryPoints,
+    outdir: output,
+    entryNames: "[name]",
+    bundle: true,
+    external: ["./tiff.js", "./hdr.js"],
+    format: "esm",
+    minify: true,
+    legalComments: "none", // see writeLicenses()
+    target: ["chrome91", "firefox114", "safari16.4"], // which have workers of modules
+    alias: { reliefshading: packageFolder, "reliefshading-webgl": join(webgl, "relief-gl.js") },
+    nodePaths: [modules],
+    metafile: true,
+    logLevel: "warning",
+    ...how,
   });
-  writeFileSync(join(output, "libraries", "LICENSES.txt"), texts.join(`\n${"-".repeat(80)}\n\n`));
+  return Object.keys(metafile.inputs);
+}
+
+// Of the libraries that are in the scripts, with the notices in their files.
+function writeLicenses(sources) {
+  const comment = /\/\*[^]*?\*\/|(?:^[ \t]*\/\/.*\n\s*)+/gm;
+  const notices = new Map(); // by library
+  for (const file of sources) {
+    const name = /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1];
+    if (name) {
+      const found = readFileSync(file, "utf8").match(comment) ?? [];
+      const told = found.filter((text) => /copyright/i.test(text)).map((text) => text.trim());
+      notices.set(name, new Set([...(notices.get(name) ?? []), ...told]));
+    }
+  }
+  const texts = [...notices].sort().map(([name, told]) => {
+    const folder = join(modules, name);
+    const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const files = readdirSync(folder).filter((one) => /^licen[sc]e(\.\w+)?$/i.test(one));
+    const whole = files.map((one) => readFileSync(join(folder, one), "utf8").trim());
+    return [`${name} ${version}: ${license}`, ...whole, ...told].join("\n\n");
+  });
+  const own = readFileSync(join(packageFolder, "LICENSE"), "utf8").trim();
+  mkdirSync(join(output, "libraries"));
+  writeFileSync(
+    join(output, "libraries", "LICENSES.txt"),
+    [own, ...texts, ""].join(`\n\n${"-".repeat(80)}\n\n`),
+  );
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -236,80 +202,33 @@ async function writeExamples() {
 }
 
 //--------------------------------------------------------------------------------------------------
-// All modules of the page itself, the WebAssembly and the list of examples are asked for at once.
-function preload() {
-  const file = join(output, "index.html");
-  const scripts = (folder) =>
-    readdirSync(join(output, folder))
-      .filter((name) => name.endsWith(".js") && !/worker\.js$|^hdr\.js$|^offline\.js$/.test(name))
-      .map((name) => (folder ? `${folder}/${name}` : name));
-  const modules = ["", "reliefshading", "webgl"]
-    .flatMap(scripts)
-    .map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
-  const data = ["examples/examples.json", "reliefshading/reliefshading.wasm"]
-    .map((name) => `    <link rel="preload" as="fetch" crossorigin href="${name}" />\n`)
-    .join("");
-  const text = readFileSync(file, "utf8");
-  const filled = text.replace(/ {4}<!-- What the first picture needs.*-->\n/, [...modules, data].join(""));
-  if (filled === text) {
-    throw new Error("index.html has no place for what is asked for first");
-  }
-  writeFileSync(file, filled);
-}
-
-// Nor does the worker that reads files go down the libraries step by step.
-function importLibraries() {
-  const file = join(output, "files.worker.js");
-  const scripts = copied.map((path) => `import "./libraries/${path}";\n`);
-  const text = readFileSync(file, "utf8");
-  const filled = text.replace(/^\/\/ The files of libraries.*\n/m, scripts.join(""));
-  if (filled === text) {
-    throw new Error("files.worker.js has no place for the files of libraries");
-  }
-  writeFileSync(file, filled);
-}
-
-// What is kept for when there is no network: all but what few need. A build is known by what is in its files.
-function listForOffline() {
-  const file = join(output, "offline.js");
-  const names = [];
+// What is kept for when there is no network: all but what is read or wanted by few. A build is known by what is in
+// its files.
+async function writeOffline() {
   const hash = createHash("sha256");
-  const walk = (below) => {
-    for (const entry of readdirSync(join(output, below), { withFileTypes: true })) {
-      const name = below ? `${below}/${entry.name}` : entry.name;
-      if (entry.isDirectory()) {
-        walk(name);
-      } else {
-        hash.update(name).update(readFileSync(join(output, name)));
-        names.push(name);
-      }
-    }
-  };
-  walk("");
-  const seldom = /^libraries\/three\/|reliefheights\.wasm$|\.(ts|json|md|txt)$|LICENSE$|^offline\.js$/;
-  const kept = names.filter((name) => !seldom.test(name) || name === "examples/examples.json");
-  const text = readFileSync(file, "utf8")
-    .replace('const build = ""; // filled in', `const build = "${hash.digest("hex").slice(0, 16)}";`)
-    .replace("const files = []; // filled in", `const files = ${JSON.stringify(kept)};`);
-  if (text.includes("filled in")) {
-    throw new Error("offline.js has no place for the files that are kept");
-  }
-  writeFileSync(file, text);
+  const names = readdirSync(output, { recursive: true })
+    .filter((name) => statSync(join(output, name)).isFile())
+    .map((name) => name.replaceAll("\\", "/"))
+    .sort();
+  names.forEach((name) => hash.update(name).update(readFileSync(join(output, name))));
+  const files = names.filter((name) => !/^(hdr\.js|reliefheights\.wasm|libraries\/.*)$/.test(name));
+  const define = { FILES: JSON.stringify(files), BUILD: JSON.stringify(hash.digest("hex").slice(0, 16)) };
+  await bundle([join(source, "offline.js")], { define });
 }
 
 //--------------------------------------------------------------------------------------------------
 rmSync(output, { recursive: true, force: true });
 mkdirSync(output, { recursive: true });
-pageFiles.forEach((name) => copyFileSync(join(source, name), join(output, name)));
-cpSync(packageFolder, join(output, "reliefshading"), { recursive: true });
-mkdirSync(join(output, "webgl"));
-readdirSync(webgl)
-  .filter((name) => name.endsWith(".js"))
-  .forEach((name) => copyFileSync(join(webgl, name), join(output, "webgl", name)));
-copyLibraries();
+writeLicenses(await bundle(scripts));
+for (const [folder, name] of [
+  [source, "index.html"],
+  [source, "style.css"],
+  [packageFolder, "reliefshading.wasm"],
+  [packageFolder, "reliefheights.wasm"],
+]) {
+  copyFileSync(join(folder, name), join(output, name));
+}
 await writeExamples();
-preload();
-importLibraries();
-listForOffline();
+await writeOffline();
 // Last: what the build looks at to see whether all is there.
 writeFileSync(join(output, "assembled"), "");

@@ -3,10 +3,7 @@
 // Reads and writes files away from the page: heights and pictures from PNG, TIFF, OpenEXR and Radiance's by
 // libraries, from all else by the browser, heights of meshes and of normals by the package; pictures as PNG.
 
-// The files of libraries, so that none waits for what it is named by: assemble.mjs fills this in.
-import { metresOfDegree } from "./geodesy.js";
-import { isExr, isRadiance, readExr, readRadiance } from "./hdr.js";
-import { convertIndexedToRgb, decode, encode } from "./libraries/fast-png/index.js";
+import { convertIndexedToRgb, decode, encode } from "fast-png";
 import { isMesh, looksLikeNormals, usualReading, usualView } from "./sources.js";
 
 const most = 2 ** 26; // samples
@@ -24,6 +21,8 @@ function checkSize(width, height) {
 
 const begins = (bytes, ...head) => head.every((byte, k) => bytes[k] === byte);
 const isPng = (bytes) => begins(bytes, 137, 80, 78, 71);
+const isExr = (bytes) => begins(bytes, 0x76, 0x2f, 0x31, 0x01);
+const isRadiance = (bytes) => begins(bytes, 35, 63); // "#?"
 const isTiff = (bytes) =>
   begins(bytes, 73, 73, 42, 0) || begins(bytes, 77, 77, 0, 42) || begins(bytes, 73, 73, 43, 0);
 
@@ -41,34 +40,6 @@ async function readPng(bytes) {
   return { ...png, data, channels: data.length / (png.width * png.height) };
 }
 
-// What a TIFF says of its place: spacing in metres, where degrees are, and the south-western sample.
-function placeOf(image, height) {
-  try {
-    const [x, y] = image.getOrigin();
-    const [dx, dy] = image.getResolution().map(Math.abs);
-    const keys = image.getGeoKeys() ?? {};
-    const half = keys.GTRasterTypeGeoKey === 2 ? 0 : 0.5;
-    if (keys.GTModelTypeGeoKey === 2) {
-      const [mx, my] = metresOfDegree(y - (dy * height) / 2);
-      return { lengths: true, spacing: [dx * mx, dy * my], origin: [0, 0] };
-    }
-    return { lengths: true, spacing: [dx, dy], origin: [x + half * dx, y - (height - 1 + half) * dy] };
-  } catch {
-    return {}; // no georeference
-  }
-}
-
-async function readTiff(bytes) {
-  await import("./libraries/geotiff/geotiff.js"); // a script, which makes GeoTIFF
-  const tiff = await self.GeoTIFF.fromArrayBuffer(bytes.buffer);
-  const image = await tiff.getImage();
-  const [width, height] = [image.getWidth(), image.getHeight()];
-  checkSize(width, height);
-  const data = await image.readRasters({ interleave: true });
-  const channels = data.length / (width * height);
-  return { data, width, height, channels, nodata: image.getGDALNoData(), ...placeOf(image, height) };
-}
-
 async function readByBrowser(bytes) {
   const how = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
   const bitmap = await createImageBitmap(new Blob([bytes]), how);
@@ -79,11 +50,15 @@ async function readByBrowser(bytes) {
   return { data: context.getImageData(0, 0, width, height).data, width, height, channels: 4 };
 }
 
+// By scripts that few need.
+const linear = () => import("./hdr.js");
+const tiff = () => import("./tiff.js");
+
 const kinds = [
   { is: isPng, name: "PNG", read: readPng },
-  { is: isTiff, name: "TIFF", read: readTiff },
-  { is: isExr, name: "OpenEXR", read: (bytes) => readExr(bytes, checkSize) },
-  { is: isRadiance, name: "Radiance picture", read: (bytes) => readRadiance(bytes, checkSize) },
+  { is: isTiff, name: "TIFF", read: async (bytes) => (await tiff()).readTiff(bytes, checkSize) },
+  { is: isExr, name: "OpenEXR", read: async (bytes) => (await linear()).readExr(bytes, checkSize) },
+  { is: isRadiance, name: "Radiance picture", read: async (bytes) => (await linear()).readRadiance(bytes, checkSize) },
 ];
 
 async function read(name, buffer) {
@@ -126,7 +101,7 @@ function toHeights({ data, width, height, channels, nodata, ...rest }) {
 
 // What the package says is wrong with a file, by its name.
 async function found(name, make) {
-  const { heightsOfMesh, heightsOfNormals } = await import("./reliefshading/heights.js");
+  const { heightsOfMesh, heightsOfNormals } = await import("reliefshading/heights.js");
   try {
     return await make(heightsOfMesh, heightsOfNormals);
   } catch (error) {
@@ -152,8 +127,17 @@ async function normalHeights(name, { data, width, height }, how) {
   return { heights, width, height, spacing, origin: [0, 0], lengths: true, warnings };
 }
 
+async function fetched(name, address) {
+  const response = await fetch(address);
+  if (!response.ok) {
+    throw new Refusal(`“${name}” cannot be loaded: ${response.status}.`);
+  }
+  return response.arrayBuffer();
+}
+
 // In one of the ways of sources.js.
-async function readHeights({ name, buffer, how }) {
+async function readHeights({ name, address, how, ...file }) {
+  const buffer = file.buffer ?? (await fetched(name, address));
   if (isMesh(name)) {
     return meshHeights(name, buffer, { ...usualView, ...how });
   }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pictures of linear light, Radiance's and OpenEXR, by the loaders of three.js, which are fetched when the first
-// one is opened.
+// Pictures of linear light, Radiance's and OpenEXR, by the loaders of three.js.
+
+import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
+import { HDRLoader } from "three/addons/loaders/HDRLoader.js";
 
 const FLOAT = 1015; // FloatType of three.js
-
-const startsWith = (bytes, text) => [...text].every((c, k) => bytes[k] === c.charCodeAt(0));
-
-export const isRadiance = (bytes) => startsWith(bytes, "#?");
-export const isExr = (bytes) => startsWith(bytes, "\x76\x2f\x31\x01");
 
 // The beginning of a file as text, a character a byte.
 const beginning = (bytes, length) => new TextDecoder("latin1").decode(bytes.subarray(0, length));
@@ -55,7 +52,6 @@ export async function readRadiance(bytes, checkSize) {
   if (!isWhole(bytes, size.index + size[0].length, columns, rows)) {
     throw new Error("it is cut short");
   }
-  const { HDRLoader } = await import("./libraries/three/HDRLoader.js");
   const picture = new HDRLoader().setDataType(FLOAT).parse(bytes.buffer);
   // Several lines count together.
   const exposures = [...header.slice(0, size.index).matchAll(/^\s*EXPOSURE\s*=\s*(\S+)\s*$/gm)];
@@ -77,7 +73,6 @@ export async function readExr(bytes, checkSize) {
   const view = new DataView(bytes.buffer, at + name.length + 4);
   const [left, top, right, bottom] = [0, 4, 8, 12].map((offset) => view.getInt32(offset, true));
   checkSize(right - left + 1, bottom - top + 1);
-  const { EXRLoader } = await import("./libraries/three/EXRLoader.js");
   const picture = new EXRLoader().setDataType(FLOAT).parse(bytes.buffer);
   // Its first row is the lowest one.
   const { width, height } = picture;

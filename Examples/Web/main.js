@@ -9,7 +9,7 @@ import { History } from "./history.js";
 import { carriedOver, describe, extentOf, LightDots, middleHeight } from "./lights.js";
 import { Panel } from "./panel.js";
 import { Picture, workersFor } from "./picture.js";
-import { createWorkerShader, fitHeightScale, init } from "./reliefshading/index.js";
+import { createWorkerShader, fitHeightScale, init } from "reliefshading";
 import {
   fromLink,
   readSceneFile,
@@ -38,6 +38,12 @@ function rangeOf(heights) {
     }
   }
   return { bottom, top };
+}
+
+/** The heights of an example. */
+function readExample({ file }) {
+  const { href } = new URL(`examples/${file}`, import.meta.url);
+  return callFiles({ what: "heights", name: file, address: href });
 }
 
 const sizeOf = ({ width, height, spacing }) => ({ width, height, spacing });
@@ -161,21 +167,17 @@ class Page {
   //------------------------------------------------------------------------------------------------
   // What is open.
 
-  async openExample(name, scene) {
+  async openExample(name, scene, reading) {
     const example = this.examples.find((one) => one.name === name) ?? this.examples[0];
-    const response = await fetch(new URL(`examples/${example.file}`, import.meta.url));
-    if (!response.ok) {
-      throw new Error(`The example “${example.label}” cannot be loaded: ${response.status}.`);
-    }
-    const buffer = await response.arrayBuffer();
-    const read = await callFiles({ what: "heights", name: example.file, buffer }, [buffer]);
+    const read = await (reading ?? readExample(example));
     await this.show(
       { ...read, ...example.field, name: example.file, example: example.name },
       scene ?? example.scene,
     );
   }
 
-  async openLink() {
+  /** @param reading   heights of the first example, if they are on their way */
+  async openLink(reading) {
     let link = null;
     try {
       link = await fromLink(location.hash);
@@ -183,7 +185,7 @@ class Page {
       await this.openExample("");
       throw error;
     }
-    await this.openExample(link?.example ?? "", link?.scene);
+    await this.openExample(link?.example ?? "", link?.scene, link ? undefined : reading);
   }
 
   /** Opens a file of heights, or of a picture that the scene has. */
@@ -264,6 +266,7 @@ class Page {
     find("#example").value = field.example;
     this.layOut();
     this.update(false);
+    this.picture.first.then(() => (find("#panel").inert = false));
   }
 
   usualScene() {
@@ -588,19 +591,20 @@ class Page {
 }
 
 //--------------------------------------------------------------------------------------------------
-const begin = performance.now();
 // Meanwhile; where it fails who needs it says so.
 init().catch(() => {});
 const examples = await (await fetch(new URL("examples/examples.json", import.meta.url))).json();
+// A worker reads while the page is put together.
+const reading = location.hash === "" ? readExample(examples[0]) : undefined;
 const page = new Page(examples);
 // For the console, and for tests.
 globalThis.reliefPage = page;
-await page.guard(() => page.openLink());
+await page.guard(() => page.openLink(reading));
 // Where no example could be opened there is none, and a file may be.
 if (page.field) {
   await page.picture.first;
 }
-page.firstPicture = performance.now() - begin;
+page.firstPicture = performance.now(); // since it was opened
 document.documentElement.dataset.ready = "true";
 
 // For when there is no network; where that cannot be, the page goes on without.

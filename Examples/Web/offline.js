@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A service worker that keeps the page for when there is no network: the files of one build, which assemble.mjs
-// writes here. Those that few need are kept once they were used.
+// A service worker that keeps the page for when there is no network: the FILES of one BUILD, which assemble.mjs
+// knows. Those that few need are kept once they were used.
 
 const prefix = "reliefshading-page ";
-const build = ""; // filled in
-const files = []; // filled in
-
-const name = prefix + build;
+const name = prefix + BUILD;
 
 self.addEventListener("install", (event) => {
   // As they are on the server now, not as some cache has them.
-  const requests = files.map((file) => new Request(file, { cache: "reload" }));
+  const requests = FILES.map((file) => new Request(file, { cache: "reload" }));
   event.waitUntil(caches.open(name).then((cache) => cache.addAll(requests)));
 });
 

@@ -17,7 +17,7 @@ import {
   wide,
 } from "./controls.js";
 import { extentOf, middleHeight, otherKind } from "./lights.js";
-import { presetNames } from "./reliefshading/index.js";
+import { presetNames } from "reliefshading";
 import { colorToHex, hexToColor, rowOf, usualOf } from "./scene.js";
 import { heightsSection } from "./source-section.js";
 

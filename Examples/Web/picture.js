@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The picture in the canvas: by WebGL 2, or by the exact sums in a worker where there is none.
+// The picture in the canvas: by WebGL 2, or by the exact sums in workers where there is none. Workers are ready
+// sooner, so that the first picture is theirs.
 
-import { createWorkerShader, planScene } from "./reliefshading/index.js";
+import { createWorkerShader, planScene } from "reliefshading";
 import { rowOf, shadeOptions, usualOf } from "./scene.js";
-import { ReliefRenderer } from "./webgl/relief-gl.js";
+import { ReliefRenderer } from "reliefshading-webgl";
 
 const seconds = 0.03; // for a frame
 const calm = 160; // milliseconds without a change, after which the picture becomes as good as it gets
@@ -14,6 +15,8 @@ const patience = 6000; // milliseconds in which a lost context may come back
 const mostSeen = 2 ** 22; // samples that workers shade for the screen, unless pixels are finer
 const impatience = 0.3; // seconds after which a fine picture is given up for one that moves
 const mostWorkers = 4;
+// Where the processor shades graphics are in software, too.
+const plainContext = { willReadFrequently: true };
 const mostCopied = 2 ** 26; // samples in all workers together
 
 /** Every nth sample. */
@@ -143,8 +146,7 @@ class OnProcessor {
   constructor(canvas) {
     this.name = "WebAssembly";
     this.canvas = canvas;
-    // Where it is used graphics are in software, too.
-    this.context = canvas.getContext("2d", { willReadFrequently: true });
+    this.context = canvas.getContext("2d", plainContext);
     this.since = null; // when a fine picture was begun
     this.employ(workersFor({ width: 1, height: 1 }));
   }
@@ -220,7 +222,9 @@ class OnProcessor {
     const { data } = await this.shader.shade(heights, { ...options, width, height, spacing });
     const rate = (performance.now() - begin) / 1000 / (width * height * lightsIn(options));
     this.rate = this.rate > 0 ? (this.rate + rate) / 2 : rate;
-    return createImageBitmap(new ImageData(data, width, height));
+    const picture = new OffscreenCanvas(width, height);
+    picture.getContext("2d", plainContext).putImageData(new ImageData(data, width, height), 0, 0);
+    return picture;
   }
 
   // Shades a field, unless that is interrupted.
@@ -286,23 +290,55 @@ export class Picture {
     this.waiting = [];
     this.first = new Promise((resolve) => (this.tellFirst = resolve));
     this.host = null;
+    this.next = null; // the canvas of a host that has not drawn yet
     this.begin(kind);
   }
 
   begin(kind) {
-    if (kind === "webgl" || (kind !== "wasm" && !inSoftware())) {
-      try {
-        this.host = new OnGraphicsProcessor(this.canvas, {
-          lost: (lost) => this.lose(lost),
-          redraw: () => this.schedule(),
-          wrong: this.on.wrong,
-        });
-      } catch {
+    this.mayChange = kind !== "webgl" && kind !== "wasm";
+    if (kind === "webgl") {
+      this.host = this.onGraphicsProcessor(this.canvas);
+      if (!this.host) {
         this.replaceCanvas();
       }
     }
     this.host ??= new OnProcessor(this.canvas);
     this.on.host(this.host.name);
+  }
+
+  onGraphicsProcessor(canvas) {
+    const on = {
+      lost: (lost) => this.lose(lost),
+      redraw: () => this.schedule(),
+      wrong: this.on.wrong,
+    };
+    try {
+      return new OnGraphicsProcessor(canvas, on);
+    } catch {
+      return null;
+    }
+  }
+
+  // A graphics processor goes on, where there is one. What workers have drawn stays until it has drawn, too.
+  changeHost() {
+    const canvas = this.canvas.cloneNode();
+    const host = inSoftware() ? null : this.onGraphicsProcessor(canvas);
+    if (host) {
+      this.host.dispose();
+      this.host = host;
+      this.next = canvas;
+      host.setField(this.field);
+      this.changed = true;
+      this.on.host(host.name);
+    }
+  }
+
+  showNext() {
+    if (this.next) {
+      this.canvas.replaceWith(this.next);
+      this.canvas = this.next;
+      this.next = null;
+    }
   }
 
   // A context that is lost mostly comes back soon.
@@ -322,6 +358,7 @@ export class Picture {
     clearTimeout(this.gone);
     this.host.dispose();
     this.host = null;
+    this.next = null;
     this.replaceCanvas();
   }
 
@@ -382,10 +419,12 @@ export class Picture {
   }
 
   resize(width, height) {
-    if (this.canvas.width !== width || this.canvas.height !== height) {
-      this.canvas.width = width;
-      this.canvas.height = height;
-      this.schedule();
+    for (const canvas of [this.canvas, this.next]) {
+      if (canvas && (canvas.width !== width || canvas.height !== height)) {
+        canvas.width = width;
+        canvas.height = height;
+        this.schedule();
+      }
     }
   }
 
@@ -393,7 +432,12 @@ export class Picture {
     this.wanted = true;
     if (!this.running && this.field && this.state && this.view) {
       this.running = true;
-      requestAnimationFrame(() => this.frame());
+      // The first picture waits for nothing.
+      if (this.frames === 0) {
+        this.frame();
+      } else {
+        requestAnimationFrame(() => this.frame());
+      }
     }
   }
 
@@ -409,7 +453,15 @@ export class Picture {
       ({ converged } = await this.host.draw(this.view, moving));
       converged = converged && moving === this.moving;
       this.frames += 1;
+      this.showNext();
       this.tellFirst();
+      if (this.mayChange) {
+        this.mayChange = false;
+        // When it is seen: what comes now takes a while.
+        await new Promise((seen) => requestAnimationFrame(() => setTimeout(seen)));
+        this.changeHost();
+        converged = false;
+      }
     } catch (error) {
       if (error.name === "ReliefError" && this.host instanceof OnGraphicsProcessor) {
         this.fallBack(error.message);

@@ -3,7 +3,7 @@
 // The page's scene: options of the package reliefshading, as they came from a file, and beside them the
 // pictures that are open. A key that is missing has its default.
 
-import { parameters, presetOptions, sceneFromJSON, sceneToJSON, usual } from "./reliefshading/index.js";
+import { parameters, presetOptions, sceneFromJSON, sceneToJSON, usual } from "reliefshading";
 
 const find = (owner, key) => parameters.find((row) => row.owner === owner && row.key === key);
 

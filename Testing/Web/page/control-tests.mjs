@@ -380,7 +380,7 @@ export const tests = {
       last = JSON.stringify(await sceneOf(page));
       const apart = await page.evaluate(async (preset) =>
       {
-        const { shade } = await import('./reliefshading/index.js');
+        const { shade } = await import('../package/index.js');
         const { field, state } = globalThis.reliefPage;
         const { width, height, spacing } = field;
         const { heightScale, diffuseColor } = state.scene;

@@ -13,7 +13,7 @@ import { launch, serve } from '../webgl/browser.mjs';
 
 export const { values, positionals } = parseArgs({
   allowPositionals: true,
-  options: Object.fromEntries(['page', 'browser', 'chromium', 'libraries', 'output', 'reliefshade']
+  options: Object.fromEntries(['page', 'package', 'browser', 'chromium', 'libraries', 'output', 'reliefshade']
     .map((name) => [name, { type: 'string' }])),
 });
 export const { encode, decode } = await import(
@@ -28,33 +28,36 @@ export const PATIENCE = 120000; // milliseconds, of machines that have other wor
 // The page, with no other address to be reached.
 
 export const browser = await launch(values.browser, values.chromium);
-export const server = await serve({ page: values.page });
+export const server = await serve({ page: values.page, package: values.package });
 export const address = `${server.url}page/index.html`;
 
 // What the driver says of reading back, and what drives the browser of what it was told.
 const expected = /GPU stall due to ReadPixels|Service Worker registration blocked/;
 
 // A small relief before the page's own examples, which take a graphics processor in software long.
-async function beginSmall(context)
+async function beginSmall(context, png)
 {
-  const { heights16 } = await import('./files.mjs');
   const own = JSON.parse(fs.readFileSync(path.join(values.page, 'examples', 'examples.json'), 'utf8'));
   const small = {
     name: 'small', label: 'Small', file: 'small.png', field: { lengths: false, spacing: [1, 1], origin: [0, 0] },
     scene: { heightScale: 0.0003, lights: [{ kind: 'sun', azimuth: 315, altitude: 35 }] },
   };
   await context.route('**/examples/examples.json', (route) => route.fulfill({ json: [small, ...own] }));
-  await context.route('**/examples/small.png', (route) => route.fulfill({ body: heights16, contentType: 'image/png' }));
+  await context.route('**/examples/small.png', (route) => route.fulfill({ body: png, contentType: 'image/png' }));
 }
 
-// The page, with the examples that it has or with a small one before them, and without files that are to be missing.
-export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', small = true, missing, ...rest } = {})
+// The page, with the examples that it has or with another one before them, and without files that are to be missing.
+// What is asked for is in page.asked; init runs before the page's own script.
+export async function open({ width = 620, height = 420, query = '?host=webgl', hash = '', small = true, png, init, missing,
+  ...rest } = {})
 {
   const context = await browser.newContext(
     { viewport: { width, height }, acceptDownloads: true, serviceWorkers: 'block', ...rest });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE);
   page.complaints = [];
+  page.asked = [];
+  page.on('request', (request) => page.asked.push(request.url().replace(/.*\/page\//, '').replace(/[?#].*/, '')));
   page.on('console', (message) =>
   {
     const text = message.text();
@@ -71,11 +74,15 @@ export async function open({ width = 620, height = 420, query = '?host=webgl', h
   });
   if (small)
   {
-    await beginSmall(context);
+    await beginSmall(context, png ?? (await import('./files.mjs')).heights16);
   }
   if (missing)
   {
     await context.route(missing, (route) => route.abort());
+  }
+  if (init)
+  {
+    await page.addInitScript(init);
   }
   await page.goto(`${address}${query}${hash}`);
   await page.waitForFunction(() => document.documentElement.dataset.ready, null, { timeout: PATIENCE });

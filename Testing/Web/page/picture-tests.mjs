@@ -157,6 +157,82 @@ export const tests = {
     await finish(page);
   },
 
+  // A picture comes soon: of few requests, coarse at first, and so while something moves.
+  async First()
+  {
+    const size = 512;
+    const data = Uint16Array.from({ length: size * size }, (_, k) =>
+      30000 + 15000 * (Math.sin((k % size) / 31) + Math.cos(k / size / 23)));
+    const png = Buffer.from(encode({ data, width: size, height: size, channels: 1, depth: 16 }));
+    const page = await open({ query: '', png, init: () =>
+    {
+      // The widths of what is drawn.
+      globalThis.drawn = [];
+      const draw = CanvasRenderingContext2D.prototype.drawImage;
+      CanvasRenderingContext2D.prototype.drawImage = function(...values)
+      {
+        globalThis.drawn.push(values[0].width);
+        return draw.apply(this, values);
+      };
+    } });
+    const drawn = () => page.evaluate(() => globalThis.drawn.splice(0));
+    const workers = page.asked.filter((name) => name === 'worker.js').length;
+    assert.deepEqual(page.asked.filter((name) => name !== 'worker.js').sort(), ['examples/examples.json', 'examples/small.png',
+      'files.worker.js', 'index.html', 'main.js', 'reliefshading.wasm', 'style.css']);
+    assert.ok(workers >= 1 && workers <= 4, `${workers} workers`);
+    await settled(page);
+    const opened = await drawn();
+    assert.ok(opened[0] < size && opened.at(-1) === size, opened.join(' '));
+    // Again when there is time for it.
+    const box = await centre(page);
+    await page.mouse.move(...box.at(0.3, 0.3));
+    await page.mouse.down();
+    for (let k = 0; k < 10; ++k)
+    {
+      await page.mouse.move(...box.at(0.3 + k / 40, 0.4));
+      await page.waitForTimeout(16);
+    }
+    await page.waitForFunction(() => globalThis.drawn.length > 0);
+    const [moved] = await drawn();
+    assert.ok(moved < size, `${moved} samples across while the light is dragged`);
+    await page.mouse.up();
+    await settled(page);
+    assert.equal((await drawn()).at(-1), size);
+    await finish(page);
+  },
+
+  // Workers draw first, and then the graphics processor, where there is one; the picture stays meanwhile.
+  async Hosts()
+  {
+    const page = await open({ query: '', init: () =>
+    {
+      const get = WebGL2RenderingContext.prototype.getParameter;
+      WebGL2RenderingContext.prototype.getParameter = function(name)
+      {
+        return name === 0x9246 || name === this.RENDERER ? 'a graphics card' : get.call(this, name);
+      };
+      // The canvas whenever it is another one: its host, and whether that has drawn.
+      globalThis.canvases = [];
+      new MutationObserver(() =>
+      {
+        const picture = globalThis.reliefPage?.picture;
+        const canvas = document.querySelector('#canvas');
+        if (picture && canvas && globalThis.canvases.at(-1)?.canvas !== canvas)
+        {
+          globalThis.canvases.push({ canvas, host: picture.host.name, frames: picture.frames });
+        }
+      }).observe(document, { childList: true, subtree: true });
+    } });
+    await settled(page);
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.host), 'WebGL 2');
+    const canvases = await page.evaluate(() => globalThis.canvases.map(({ host, frames }) => ({ host, frames })));
+    assert.deepEqual(canvases.at(-1), { host: 'WebGL 2', frames: 2 });
+    const { share } = await page.evaluate(() => globalThis.reliefPage.compare());
+    assert.ok(share <= 1e-3, `${share} of the samples differ`);
+    assert.equal(await alertOf(page), '');
+    await finish(page);
+  },
+
   async Context()
   {
     const page = await open();

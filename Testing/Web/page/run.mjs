@@ -2,7 +2,7 @@
 //
 // Tests of the page of Examples/Web in a headless browser.
 //
-//     node run.mjs TEST --page FOLDER --browser FOLDER --chromium FILE --libraries FOLDER --output FOLDER
+//     node run.mjs TEST --page FOLDER --package FOLDER --browser FOLDER --chromium FILE --libraries FOLDER --output FOLDER
 //       [--reliefshade FILE]
 
 import { tests as controls } from './control-tests.mjs';
