@@ -69,6 +69,14 @@ test("each file that the package needs is in it", () => {
   }
 });
 
+// Bundlers make one script of a worker, unless they are told otherwise.
+test("what a worker needs is there from its beginning", () => {
+  const scripts = JSON.parse(readText(packageFolder, "package.json")).files.filter((name) => /\.js$/.test(name));
+  // What load.js asks for in Node.js is none of them.
+  const late = scripts.filter((name) => /\bimport\("/.test(readText(packageFolder, name)));
+  assert.deepEqual(late, []);
+});
+
 test("the WebAssembly takes at most 150 kB compressed", (t) => {
   const bytes = gzipSync(readFileSync(join(packageFolder, "reliefshading.wasm")), { level: 9 }).length;
   t.diagnostic(`reliefshading.wasm: ${bytes} bytes compressed`);

@@ -2,6 +2,7 @@
 //
 // What shader.js starts: answers one call after the other. Results are handed over, not copied.
 
+import { heightsOfMesh, heightsOfNormals } from "./heights.js";
 import { exposureOf, fitScale, load, module, presetLights, shadeRun } from "./module.js";
 import { readField, readRun } from "./options.js";
 
@@ -11,10 +12,8 @@ const answers = {
   findExposure: async (heights, options) =>
     exposureOf(await readRun(heights, options, { presetLights, fitScale })),
   fitHeightScale: (heights, options) => fitScale(readField(heights, options)),
-  // Few need these, and each worker would wait for them.
-  heightsOfMesh: async (mesh, options) => (await import("./heights.js")).heightsOfMesh(mesh, options),
-  heightsOfNormals: async (normals, options) =>
-    (await import("./heights.js")).heightsOfNormals(normals, options),
+  heightsOfMesh,
+  heightsOfNormals,
 };
 
 async function answer({ call, what, heights, options, band }) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Puts playwright-core, which drives the browser, into a folder of the build.
+// Puts playwright-core, which drives the browser, and TypeScript into a folder of the build.
 //
 //     node install.mjs FOLDER NPM
 
@@ -11,25 +11,30 @@ import path from 'node:path';
 import { giveUp } from './browser.mjs';
 
 // Of those that run in Node.js 18, which Debian 12 has.
-const VERSION = '1.60.0';
+const VERSIONS = { 'playwright-core': '1.60.0', typescript: '5.9.3' };
 const [folder, npm] = process.argv.slice(2);
 if (!npm || !fs.existsSync(npm))
 {
   giveUp('npm was not found');
 }
-const installed = path.join(folder, 'node_modules', 'playwright-core', 'package.json');
-if (fs.existsSync(installed) && JSON.parse(fs.readFileSync(installed, 'utf8')).version === VERSION)
+const isThere = ([name, version]) =>
 {
-  console.log('playwright-core is there');
+  const file = path.join(folder, 'node_modules', name, 'package.json');
+  return fs.existsSync(file) && JSON.parse(fs.readFileSync(file, 'utf8')).version === version;
+};
+const wanted = Object.entries(VERSIONS);
+const names = wanted.map((one) => one.join('@'));
+if (wanted.every(isThere))
+{
+  console.log(`${names.join(' and ')} are there`);
   process.exit(0);
 }
 fs.mkdirSync(folder, { recursive: true });
 fs.writeFileSync(path.join(folder, 'package.json'), '{ "private": true }\n');
 const result = spawnSync(npm,
-  ['install', '--no-audit', '--no-fund', '--ignore-scripts', '--prefix', folder, `playwright-core@${VERSION}`],
-  { encoding: 'utf8' });
+  ['install', '--no-audit', '--no-fund', '--ignore-scripts', '--prefix', folder, ...names], { encoding: 'utf8' });
 if (result.status !== 0)
 {
-  giveUp(`playwright-core could not be fetched: ${result.stderr.slice(0, 200)}`);
+  giveUp(`${names.join(' and ')} could not be fetched: ${result.stderr.slice(0, 200)}`);
 }
-console.log(`playwright-core ${VERSION} is in ${folder}`);
+console.log(`${names.join(' and ')} are in ${folder}`);
