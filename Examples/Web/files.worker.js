@@ -79,16 +79,15 @@ async function read(name, buffer) {
 
 //--------------------------------------------------------------------------------------------------
 
-// Of a colour its brightness; what is transparent has no data.
-function toHeights({ data, width, height, channels, nodata, ...rest }) {
+// Of a colour its brightness; what is transparent has no data, nor has what no float goes beyond.
+function toHeights({ data, width, height, channels, nodata, alpha = channels % 2 === 0, ...rest }) {
   const heights = new Float32Array(width * height);
   const colored = channels >= 3;
   for (let k = 0, at = 0; k < heights.length; ++k, at += channels) {
     const value = colored ? 0.2126 * data[at] + 0.7152 * data[at + 1] + 0.0722 * data[at + 2] : data[at];
-    heights[k] = value === nodata ? NaN : value;
+    heights[k] = value === nodata || Math.abs(value) > 3.4e38 ? NaN : value;
   }
-  // Bands of a raster are no alpha.
-  if (!rest.lengths && (channels === 2 || channels === 4)) {
+  if (alpha) {
     for (let k = 0; k < heights.length; ++k) {
       heights[k] = data[channels * k + channels - 1] === 0 ? NaN : heights[k];
     }
@@ -143,7 +142,9 @@ async function readHeights({ name, address, how, ...file }) {
   }
   const picture = await read(name, buffer);
   if (picture.channels < 3 || picture.channels > 4 || picture.lengths) {
-    return toHeights(picture);
+    const { unit } = picture;
+    const told = `“${name}” has heights in ${unit} and a spacing in metres: Height scale is what makes them alike.`;
+    return { ...toHeights(picture), warnings: unit ? [told] : [] };
   }
   const looks = how?.as === undefined && looksLikeNormals(picture);
   const way = { ...usualReading, ...(looks ? { as: "normals" } : {}), ...how };

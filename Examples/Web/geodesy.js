@@ -11,3 +11,12 @@ export function metresOfDegree(latitude) {
     ((a * (1 - e2)) / (w * Math.sqrt(w))) * degree,
   ];
 }
+
+/** Metres on the ground, eastward and northward, for a metre of web maps, whose projection stretches all toward the poles. */
+export function metresOfWebMetre(y) {
+  const radius = 6378137;
+  const latitude = Math.atan(Math.sinh(y / radius));
+  const [mx, my] = metresOfDegree((latitude * 180) / Math.PI);
+  const degree = (radius * Math.PI) / 180;
+  return [mx / degree, (my * Math.cos(latitude)) / degree];
+}

@@ -47,6 +47,9 @@ export async function readRadiance(bytes, checkSize) {
   if (!size) {
     throw new Error("its rows do not lie from the top to the bottom");
   }
+  if (/^FORMAT=32-bit_rle_xyze/m.test(header)) {
+    throw new Error("its colours are not red, green and blue");
+  }
   const [columns, rows] = [Number(size[2]), Number(size[1])];
   checkSize(columns, rows);
   if (!isWhole(bytes, size.index + size[0].length, columns, rows)) {

@@ -266,7 +266,7 @@ class Page {
     find("#example").value = field.example;
     this.layOut();
     this.update(false);
-    this.picture.first.then(() => (find("#panel").inert = false));
+    this.picture.first.then(() => (find("#stage").inert = find("#panel").inert = false));
   }
 
   usualScene() {

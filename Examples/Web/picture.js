@@ -443,6 +443,7 @@ export class Picture {
 
   async frame() {
     this.wanted = false;
+    const { field } = this;
     let converged = true;
     try {
       if (this.changed) {
@@ -463,7 +464,9 @@ export class Picture {
         converged = false;
       }
     } catch (error) {
-      if (error.name === "ReliefError" && this.host instanceof OnGraphicsProcessor) {
+      if (field !== this.field) {
+        converged = false; // there is another one now, of which nothing is said
+      } else if (error.name === "ReliefError" && this.host instanceof OnGraphicsProcessor) {
         this.fallBack(error.message);
         converged = false;
       } else {

@@ -155,6 +155,10 @@ export const tests = {
     {
       const broken = await open({ missing });
       assert.match(await alertOf(broken), says);
+      // There is nothing to be moved yet, and nothing that it goes wrong by.
+      await broken.mouse.click(200, 200);
+      await broken.keyboard.press('ArrowLeft');
+      await broken.keyboard.press('+');
       if (missing.endsWith('small.png'))
       {
         await openHeights(broken, 'eight.png', heights8);
@@ -164,6 +168,58 @@ export const tests = {
       broken.complaints = broken.complaints.filter((text) => !/Failed to load resource/.test(text));
       await finish(broken);
     }
+  },
+
+  // What a TIFF says of its samples: where there are none, what they are in, and metres that are longer than those of
+  // the ground.
+  async Rasters()
+  {
+    const page = await open({ query: '?host=wasm' });
+    const field = () => page.evaluate(() =>
+    {
+      const { heights, spacing } = globalThis.reliefPage.whole;
+      return { without: heights.filter(Number.isNaN).length, spacing };
+    });
+    const size = COLUMNS * ROWS;
+    const halfAlpha = Float32Array.from({ length: 2 * size }, (_, k) => (k % 2 === 0 ? 100 + k % 7 : k < size ? 0 : 1));
+    await openHeights(page, 'alpha.tif', floatTiff({ data: halfAlpha, samples: 2, more: [[338, 3, [2]]] }));
+    assert.equal((await field()).without, size / 2);
+    await openHeights(page, 'bands.tif', floatTiff({ data: halfAlpha, samples: 2 }));
+    assert.equal((await field()).without, 0, 'a band that is not said to be alpha is none');
+    const lowest = Float32Array.from({ length: size }, (_, k) => (k < 50 ? -3.4028234663852886e38 : 100 + k % 7));
+    await openHeights(page, 'lowest.tif', floatTiff({ data: lowest }));
+    assert.equal((await field()).without, 50);
+    await settled(page);
+    assert.equal(await alertOf(page), '');
+
+    // Web Mercator at 60 degrees north, where a metre of it is half a metre of the ground.
+    const keys = [34735, 3, [1, 1, 0, 2, 1024, 0, 1, 1, 3072, 0, 1, 3857]];
+    await openHeights(page, 'web.tif', floatTiff({ northing: 8399738 + ROWS, more: [keys] }));
+    const { spacing: [dx, dy] } = await field();
+    assert.ok(Math.abs(dx - 1.0025) < 1e-3 && Math.abs(dy - 1.0008) < 1e-3, `${dx} and ${dy}`);
+    const unit = (word) => [42112, 2, Buffer.from(`<GDALMetadata><Item name="UNITTYPE" sample="0" role="unittype">${word}</Item></GDALMetadata>\0`)];
+    await openHeights(page, 'metres.tif', floatTiff({ more: [unit('metre')] }));
+    assert.equal(await alertOf(page), '');
+    await openHeights(page, 'feet.tif', floatTiff({ more: [unit('ft')] }));
+    assert.match(await alertOf(page), /^“feet.tif” has heights in ft and a spacing in metres/);
+
+    // What is wrong with one field is not said of the next.
+    await page.evaluate(() =>
+    {
+      const { reliefPage } = globalThis;
+      const heights = new Float32Array(100).fill(-3e38);
+      heights[5] = 0;
+      const plain = { width: 10, height: 10, spacing: [1, 1], origin: [0, 0], lengths: true, name: 'plain', example: '' };
+      reliefPage.show({ ...plain, heights });
+      return reliefPage.show({ ...plain, heights: Float32Array.from({ length: 100 }, (_, k) => k % 7) })
+        .then(() => reliefPage.alert(''));
+    });
+    await settled(page);
+    assert.equal(await alertOf(page), '');
+    const xyz = Buffer.from(radianceOf(panorama, AROUND).toString('latin1').replace('rgbe', 'xyze'), 'latin1');
+    await openHeights(page, 'xyz.hdr', xyz);
+    assert.match(await alertOf(page), /“xyz.hdr” cannot be opened: the Radiance picture is .*of a kind that is not read/);
+    await finish(page);
   },
 
   // Pictures of linear light as environments, far away and nearby, and as heights.

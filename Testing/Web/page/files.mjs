@@ -19,34 +19,44 @@ export const heights8 = png(Uint8Array.from(hills(250)), 1, 8);
 export const stripes = png(Uint8Array.from({ length: 3 * COLUMNS * ROWS }, (_, k) => (k % 3 === 0 || k % 90 < 45 ? 255 : 30)), 3, 8);
 export const half = png(Uint8Array.from({ length: COLUMNS * ROWS }, (_, k) => (k % COLUMNS < COLUMNS / 2 ? 255 : 0)), 1, 8);
 
-// A TIFF of one strip of floats, little-endian, 2 units a sample.
-export function floatTiff()
+// A TIFF of one strip of floats, little-endian, 2 units a sample; more of its tags as [tag, type, values].
+export function floatTiff({ data = Float32Array.from(hills(60), (h) => h / 2), samples = 1, northing = 5000, more = [] } = {})
 {
-  const data = Float32Array.from(hills(60), (h) => h / 2);
-  const doubles = Buffer.alloc(72);
-  [2, 2, 0].forEach((value, k) => doubles.writeDoubleLE(value, 8 * k));
-  [0, 0, 0, 1000, 5000, 0].forEach((value, k) => doubles.writeDoubleLE(value, 24 + 8 * k));
-  const entries = [[256, 3, 1, COLUMNS], [257, 3, 1, ROWS], [258, 3, 1, 32], [259, 3, 1, 1], [262, 3, 1, 1],
-    [273, 4, 1, 0], [277, 3, 1, 1], [278, 3, 1, ROWS], [279, 4, 1, data.byteLength], [339, 3, 1, 3],
-    [33550, 12, 3, 0], [33922, 12, 6, 0]];
-  const begin = 8 + 2 + 12 * entries.length + 4;
-  entries[5][3] = begin + 72;
-  entries[10][3] = begin;
-  entries[11][3] = begin + 24;
+  const [short, long, double] = [3, 4, 12];
+  const tags = [[256, short, [COLUMNS]], [257, short, [ROWS]], [258, short, Array(samples).fill(32)], [259, short, [1]],
+    [262, short, [1]], [273, long, [0]], [277, short, [samples]], [278, short, [ROWS]], [279, long, [data.byteLength]],
+    [339, short, Array(samples).fill(3)], [33550, double, [2, 2, 0]], [33922, double, [0, 0, 0, 1000, northing, 0]], ...more]
+    .sort((a, b) => a[0] - b[0]);
+  const arrays = { 2: Uint8Array, [short]: Uint16Array, [long]: Uint32Array, [double]: Float64Array };
+  const bytesOf = ([, type, content]) => Buffer.from(arrays[type].from(content).buffer);
+  const room = (bytes) => (bytes.length > 4 ? 8 * Math.ceil(bytes.length / 8) : 0);
+  let at = 8 + 2 + 12 * tags.length + 4;
+  const begin = at + tags.reduce((sum, tag) => sum + room(bytesOf(tag)), 0);
+  tags.find(([tag]) => tag === 273)[2] = [begin];
   const head = Buffer.alloc(begin);
   head.write('II', 0);
   head.writeUInt16LE(42, 2);
   head.writeUInt32LE(8, 4);
-  head.writeUInt16LE(entries.length, 8);
-  entries.forEach(([tag, type, count, value], k) =>
+  head.writeUInt16LE(tags.length, 8);
+  tags.forEach(([tag, type, content], k) =>
   {
-    const at = 10 + 12 * k;
-    head.writeUInt16LE(tag, at);
-    head.writeUInt16LE(type, at + 2);
-    head.writeUInt32LE(count, at + 4);
-    head.writeUInt32LE(value, at + 8);
+    const bytes = bytesOf([tag, type, content]);
+    const entry = 10 + 12 * k;
+    head.writeUInt16LE(tag, entry);
+    head.writeUInt16LE(type, entry + 2);
+    head.writeUInt32LE(content.length, entry + 4);
+    if (bytes.length > 4)
+    {
+      head.writeUInt32LE(at, entry + 8);
+      bytes.copy(head, at);
+      at += room(bytes);
+    }
+    else
+    {
+      bytes.copy(head, entry + 8);
+    }
   });
-  return Buffer.concat([head, doubles, Buffer.from(data.buffer)]);
+  return Buffer.concat([head, Buffer.from(data.buffer)]);
 }
 
 // A panorama, floats of red, green and blue from the top: a bright place in the east, a dim one in the south-west.
