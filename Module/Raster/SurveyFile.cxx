@@ -4,6 +4,8 @@
 #include "Gdal.h"
 #include "HeightHash.h"
 #include "HeightInputs.h"
+#include "RasterFile.h"
+#include "SameFile.h"
 #include "StagedFile.h"
 #include "TiledHeights.h"
 
@@ -26,14 +28,6 @@ namespace
 {
 constexpr int Planes = 5;
 using Plane = std::vector<float>;
-
-//------------------------------------------------------------------------------
-/// Shortest texts that mean the same numbers.
-std::string TextOf(double number)
-{
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
-}
 
 //------------------------------------------------------------------------------
 template <class Number>
@@ -132,6 +126,13 @@ constexpr const char* Nothing = "none";
 }
 
 //------------------------------------------------------------------------------
+std::string TextOf(double number)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
+}
+
+//------------------------------------------------------------------------------
 std::string SurveyName(const std::string& raster)
 {
   return raster + ".bounds.tif";
@@ -144,16 +145,25 @@ std::string StateOfFiles(const std::vector<std::string>& files)
   for (const std::string& file : files)
   {
     std::error_code wrong;
-    const std::uintmax_t size = fs::file_size(file, wrong);
+    const std::string behind = io::FileBehind(file); // of one in an archive, that
+    const std::uintmax_t size = fs::file_size(behind, wrong);
     if (wrong)
     {
       return std::string();
     }
-    const auto time = fs::last_write_time(file, wrong).time_since_epoch().count();
+    const auto time = fs::last_write_time(behind, wrong).time_since_epoch().count();
     state += (state.empty() ? "" : " ") + fs::path(file).filename().string() + " " +
       std::to_string(size) + " bytes of " + std::to_string(time);
   }
   return state;
+}
+
+//------------------------------------------------------------------------------
+std::string StateOfInput(const std::string& file)
+{
+  const std::string own = StateOfFiles({ file });
+  const std::string all = own.empty() ? own : StateOfFiles(FilesOf(file));
+  return all.empty() ? own : all;
 }
 
 //------------------------------------------------------------------------------
@@ -228,7 +238,7 @@ void SaveSurvey(const std::string& raster, const std::string& state,
   {
     const std::string name = SurveyName(raster);
     std::error_code none;
-    if (fs::exists(name, none) && !IsSurvey(name))
+    if (fs::exists(name, none) && !fs::is_empty(name, none) && !IsSurvey(name))
     {
       return; // somebody else's file
     }

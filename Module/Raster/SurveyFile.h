@@ -18,8 +18,15 @@ namespace relief::raster
 /// float: the least and the greatest of its own samples, and what rays skip by.
 std::string SurveyName(const std::string& raster);
 
-/// Names, sizes and dates of files; empty if any of them is none.
-VTKIORELIEFRASTER_EXPORT std::string StateOfFiles(const std::vector<std::string>& files);
+/// Shortest texts that mean the same numbers.
+std::string TextOf(double number);
+
+/// Names, sizes and dates of files; empty if any of them is none. What is read from within an
+/// archive has its size and date.
+std::string StateOfFiles(const std::vector<std::string>& files);
+
+/// The same of all that a raster or picture is read from, or of a file that is neither.
+VTKIORELIEFRASTER_EXPORT std::string StateOfInput(const std::string& file);
 
 /// A hash of some rows, spread over the raster: of heights that have been written over within the
 /// same second. Throws what reading throws.

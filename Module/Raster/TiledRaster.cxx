@@ -109,10 +109,7 @@ const std::string& TiledRaster::GetState()
       files = FilesOfEsriGrid(this->Name); // GDAL does not read all of those
     }
     this->State = StateOfFiles(files);
-    if (this->State.empty())
-    {
-      return this->State;
-    }
+    this->InFiles = !this->State.empty();
     const ReadOptions& options = this->Options;
     if (options.Encoding != HeightEncoding::None)
     {
@@ -121,13 +118,14 @@ const std::string& TiledRaster::GetState()
     }
     this->State += " band " + std::to_string(options.Band) + " no data " +
       (options.NoDataFromFile ? "of the file"
-          : options.NoData    ? std::to_string(*options.NoData)
+          : options.NoData    ? TextOf(*options.NoData)
                               : "none");
-    this->State += " scaled by " + std::to_string(this->Scaling[0]) + " and " +
-      std::to_string(this->Scaling[1]) + " rows " + HashOfProbes(*this);
+    this->State += " scaled by " + TextOf(this->Scaling[0]) + " and " + TextOf(this->Scaling[1]) +
+      " rows " + HashOfProbes(*this);
     if (this->Mask)
     {
       this->State += " mask " + this->Mask->GetState();
+      this->InFiles = this->InFiles && this->Mask->InFiles;
     }
   }
   return this->State;
@@ -216,7 +214,7 @@ void TiledRaster::Advance(double share)
 bool TiledRaster::FindSurvey(double scale, hosts::HeightSurvey& survey)
 {
   const std::string& state = this->GetState();
-  if (!state.empty() && LoadSurvey(this->Name, state, *this, scale, survey, this->Undeclared))
+  if (this->InFiles && LoadSurvey(this->Name, state, *this, scale, survey, this->Undeclared))
   {
     return true;
   }
@@ -236,7 +234,7 @@ void TiledRaster::KeepSurvey(const hosts::HeightSurvey& survey)
   this->Undeclared = this->Noted.empty() ? "" : TellUndeclared(this->Ends, this->Header);
   this->Noted.clear();
   const std::string& state = this->GetState();
-  if (!state.empty())
+  if (this->InFiles)
   {
     SaveSurvey(this->Name, state, survey, this->Undeclared);
   }

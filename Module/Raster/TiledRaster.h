@@ -49,7 +49,8 @@ public:
   const std::string& GetUndeclared() const { return this->Undeclared; }
 
   /// What tells this state of the heights: the file's names, sizes and dates, how it is read, and a
-  /// hash of some of its rows. Empty for what is no file.
+  /// hash of some of its rows. Of what is no file, as of a server's, the last two alone: of such no
+  /// survey is kept.
   const std::string& GetState();
 
   int GetColumns() const override { return this->Header.Columns; }
@@ -73,6 +74,7 @@ private:
   std::unique_ptr<TiledRaster> Mask;
   io::StepWatcher Watcher;
   std::string State;
+  bool InFiles = false; // what State is of
   std::string Undeclared;
   std::vector<bool> Noted; // which rows are in Ends, while all are passed over
   ValueEnds Ends;

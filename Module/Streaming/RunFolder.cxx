@@ -2,20 +2,24 @@
 #include "RunFolder.h"
 
 #include "FileGuard.h"
+#include "SameFile.h"
 #include "StagedFile.h"
 
 #include "vtkErrorCode.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <sstream>
+#include <vector>
 
 #ifdef _WIN32
 #include <windows.h>
 #else
+#include <csignal>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -42,6 +46,33 @@ std::string TextOf(const fs::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+}
+
+//------------------------------------------------------------------------------
+/// What UnfinishedOf() finds, and the number of the process.
+std::string TargetOf(const std::string& name, std::string& process)
+{
+  // With what GDAL writes beside a cloud-optimized file.
+  static const std::regex form(
+    "\\.(.+(\\.[^.]+))\\.([0-9]+)-[0-9]+\\.tmp(\\.[^.]+)((\\.msk)?\\.ovr\\.tmp)?");
+  std::smatch parts;
+  if (!std::regex_match(name, parts, form) || (parts[4] != parts[2] && parts[4] != ".old"))
+  {
+    return std::string();
+  }
+  process = parts[3];
+  return parts[1];
+}
+
+//------------------------------------------------------------------------------
+bool IsRunning(const std::string& process)
+{
+#ifdef _WIN32
+  (void)process;
+  return false; // whose open files cannot be removed there
+#else
+  return kill(static_cast<pid_t>(std::atol(process.c_str())), 0) == 0 || errno == EPERM;
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -211,11 +242,30 @@ void RunFolder::CheckKey(const std::string& key, bool write) const
 //------------------------------------------------------------------------------
 std::string RunFolder::UnfinishedOf(const std::string& name)
 {
-  static const std::regex form("\\.(.+(\\.[^.]+))\\.[0-9]+-[0-9]+\\.tmp(\\.[^.]+)");
-  std::smatch parts;
-  return std::regex_match(name, parts, form) && (parts[3] == parts[2] || parts[3] == ".old")
-    ? parts[1].str()
-    : std::string();
+  std::string process;
+  return TargetOf(name, process);
+}
+
+//------------------------------------------------------------------------------
+void RunFolder::RemoveUnfinished(const std::string& file)
+{
+  const fs::path target(io::FollowLinks(file));
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(
+         target.has_parent_path() ? target.parent_path() : fs::path("."), ignored))
+  {
+    std::string process;
+    if (TargetOf(entry.path().filename().string(), process) == target.filename().string() &&
+      !IsRunning(process))
+    {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& one : left)
+  {
+    fs::remove(one, ignored);
+  }
 }
 
 //------------------------------------------------------------------------------

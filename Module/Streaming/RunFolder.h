@@ -39,6 +39,10 @@ public:
   /// The name of the file in whose place a StagedFile's name would have come if its process had not
   /// been killed; empty for any other name.
   static std::string UnfinishedOf(const std::string& name);
+
+  /// Removes what processes that were killed have left of a file that they wrote as a StagedFile:
+  /// it may be as large as that. What one that runs on this machine writes stays.
+  static void RemoveUnfinished(const std::string& file);
   static constexpr const char* KeyName = "run.txt";
 
   /// Removes the key and the lock, and the folder if nothing else is in it. Nothing is done with

@@ -333,6 +333,7 @@ void vtkReliefPieceWriter::Internals::WriteFiles()
   std::vector<std::unique_ptr<Output>> outputs;
   for (const std::string& array : this->Arrays)
   {
+    relief::streaming::RunFolder::RemoveUnfinished(this->FileOf(array));
     outputs.push_back(std::make_unique<Output>(this->FileOf(array)));
   }
   const int bands = this->Plan.GetNumberOfBands();

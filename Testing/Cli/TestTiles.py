@@ -147,6 +147,16 @@ class Tiles(Case):
         os.utime(self.path("in.tif"), (1, 1))
         self.bad(1, ["another run", "in.tif"], "in.tif", "--xyz", "tiles")
 
+    @needsGdalTools
+    def test_sources_of_a_virtual_raster(self):
+        self.grid([[i * j % 7 * 900 for i in range(40)] for j in range(30)], corner=(10, 45), size=0.01)
+        self.tool("gdal_translate", "-q", "-a_srs", "EPSG:4326", "grid.asc", "in.tif")
+        self.tool("gdal_translate", "-q", "-of", "VRT", "in.tif", "in.vrt")
+        self.good("in.vrt", "--xyz", "tiles")
+        self.good("in.vrt", "--xyz", "tiles")
+        os.utime(self.path("in.tif"), (1, 1))
+        self.bad(1, ["another run", "in.tif"], "in.vrt", "--xyz", "tiles")
+
     def test_killed_and_interrupted(self):
         words = [JACKSBORO, "--xyz", "tiles", "--zoom", "5-13", "--quiet"]
         self.good(JACKSBORO, "--xyz", "whole", "--zoom", "5-13", "--quiet")

@@ -59,6 +59,29 @@ void AddRow(const HeightSource<T>& heights, int j, const float* lengths, double 
 }
 
 //------------------------------------------------------------------------------
+/// Throws where what is read of a row of regions is not what was passed over, as far as bounds
+/// tell: all else goes by these.
+void CheckBounds(const RasterBounds& bounds, const HeightSupply::Window& window,
+  const float* lengths, std::ptrdiff_t pitch)
+{
+  for (int i = window.i0; i < window.i1; i += RegionSize)
+  {
+    RasterBounds::Range found;
+    for (int j = 0; j < window.j1 - window.j0; ++j)
+    {
+      AddToRange(lengths + j * pitch + (i - window.i0), std::min(RegionSize, window.i1 - i),
+        found.lo, found.hi);
+    }
+    const RasterBounds::Range& known = bounds.RangeAt(i / RegionSize, window.j0 / RegionSize);
+    if (found.lo != known.lo || found.hi != known.hi)
+    {
+      throw std::runtime_error("its heights have changed since their bounds were found; remove its "
+                               ".bounds.tif, if there is one, and begin anew");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string LimitMessage(double bytes, const TiledHeights::Limit& limit)
 {
   const auto kibibytes = [](double number)
@@ -283,6 +306,7 @@ void TiledHeights::Fill(const RegionSet& regions)
             reader.Read(j, datum, lengths + j * pitch);
           }
         });
+      CheckBounds(this->Found->bounds, { i0, i1, j0, j1 }, lengths, pitch);
     },
     ForRows);
 }

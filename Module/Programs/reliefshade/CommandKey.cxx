@@ -25,7 +25,7 @@ bool isAmong(const std::string& word, const std::vector<std::string>& words)
 /// A word, and what file it names, if it does.
 std::string lineOf(const std::string& word, const std::string& file)
 {
-  const std::string state = relief::raster::StateOfFiles({ file });
+  const std::string state = relief::raster::StateOfInput(file);
   return word + (state.empty() ? "" : " (" + state + ")") + "\n";
 }
 

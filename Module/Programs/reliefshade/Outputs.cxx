@@ -211,9 +211,10 @@ void Outputs::WriteRows(vtkImageData* part)
 void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
 {
   std::vector<OutputFile*> files;
+  const bool bar = showsBar(this->Given);
   if (this->Picture)
   {
-    this->Picture->Finish();
+    this->Picture->Finish(bar);
     files.push_back(&this->Picture->GetFile());
   }
   if (this->Layers)
@@ -223,12 +224,12 @@ void Outputs::Finish(vtkImageReliefShading* shading, vtkReliefScene* scene)
   }
   for (const auto& picture : this->LayerPictures)
   {
-    picture->Finish();
+    picture->Finish(bar);
     files.push_back(&picture->GetFile());
   }
   if (this->Mask)
   {
-    this->Mask->Finish();
+    this->Mask->Finish(bar);
     files.push_back(&this->Mask->GetFile());
   }
   if (this->Scene)

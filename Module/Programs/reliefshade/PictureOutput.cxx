@@ -349,7 +349,7 @@ void PictureOutput::WriteRows(vtkImageData* part)
 }
 
 //------------------------------------------------------------------------------
-void PictureOutput::Finish()
+void PictureOutput::Finish(bool bar)
 {
   if (this->Streamed)
   {
@@ -360,7 +360,12 @@ void PictureOutput::Finish()
 #ifdef RELIEFRASTER_USE_GDAL
   if (this->Tiff)
   {
-    this->File.Try([this] { this->Rows->Finish([](double) { return !interrupted(); }); });
+    const auto watch = [bar](double share)
+    {
+      showProgress(bar, "finishing", share);
+      return !interrupted();
+    };
+    this->File.Try([&] { this->Rows->Finish(watch); });
     this->Rows.reset();
     return;
   }

@@ -59,10 +59,11 @@ public:
   ///@{
   /// Writes a picture of so many columns and rows under the staged name, rows by rows in the order
   /// in which the file has them (IsUpward). A part has the whole width, and the scalars of the form
-  /// or, as a shaded image, red, green, blue and alpha. Throws a Failure.
+  /// or, as a shaded image, red, green, blue and alpha. What takes a while at the end, as overviews
+  /// do, is shown if `bar`. Throws a Failure.
   void Begin(const int size[2]);
   void WriteRows(vtkImageData* part);
-  void Finish();
+  void Finish(bool bar = false);
   ///@}
 
   /// All of these.

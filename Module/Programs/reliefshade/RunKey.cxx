@@ -5,6 +5,7 @@
 #include "RunKeys.h"
 #include "SurveyFile.h"
 
+#include "vtkImageData.h"
 #include "vtkImageReliefShading.h"
 
 #include <locale>
@@ -23,16 +24,16 @@ std::string keyOfRun(
   text << "version: ReliefShading " RELIEFSHADE_VERSION ", model "
        << vtkImageReliefShading::GetModelVersion() << "\n"
        << "heights: " << heights << "\n";
-  if (options.Spacing)
-  {
-    text << "spacing: " << (*options.Spacing)[0] << " " << (*options.Spacing)[1] << "\n";
-  }
+  // Which options may change, and the file's georeference.
+  const double* spacing =
+    vtkImageData::SafeDownCast(shading->GetInputDataObject(0, 0))->GetSpacing();
+  text << "spacing: " << spacing[0] << " " << spacing[1] << "\n";
   text << relief::streaming::KeyOfScene(shading->GetScene());
   for (const std::string& file : { options.Environment, options.SceneEnvironment,
          options.DiffuseTexture, options.BaseTexture, options.SpecularTexture, options.Tint })
   {
-    text << "picture: "
-         << (file.empty() ? "none" : file + " " + relief::raster::StateOfFiles({ file })) << "\n";
+    text << "picture: " << (file.empty() ? "none" : file + " " + relief::raster::StateOfInput(file))
+         << "\n";
   }
   text << "numbers: " << (shading->GetOutputScalarType() == VTK_FLOAT ? "float" : "uint8") << "\n";
   return text.str();

@@ -358,6 +358,7 @@ void StandardStreams::Send() const
 //------------------------------------------------------------------------------
 void say(const std::string& text)
 {
+  showProgress(true, "", 1.0); // clears the line
   std::cerr << "reliefshade: " << relief::io::Brief(withStreamNames(oneLine(text))) << std::endl;
 }
 

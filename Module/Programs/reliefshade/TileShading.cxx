@@ -2,8 +2,10 @@
 #include "TileShading.h"
 
 #include "Failure.h"
+#include "HeightHash.h"
 #include "MessageLog.h"
 #include "Options.h"
+#include "OutputNames.h"
 #include "Outputs.h"
 #include "PictureChoice.h"
 #include "PictureOutput.h"
@@ -75,6 +77,28 @@ const std::string& firstOutput(const Options& options)
     }
   }
   return options.Input;
+}
+
+//------------------------------------------------------------------------------
+/// What runs that were killed have left of the outputs: this one has the folder of the pieces, so
+/// none of them goes on.
+void removeUnfinished(const Options& options)
+{
+  std::vector<std::string> files{ options.Output, options.LayersFile, options.ShadowMask };
+  if (options.LayersFile.empty())
+  {
+    for (const std::string& layer : options.Layers)
+    {
+      files.push_back(layerFile(options.Output, layer));
+    }
+  }
+  for (const std::string& file : files)
+  {
+    if (!file.empty())
+    {
+      relief::streaming::RunFolder::RemoveUnfinished(file);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -250,6 +274,10 @@ TileShading::TileShading(
             folder, this->GetKey(), ranks().GetRank() == 0 ? RunFolder::Alone : RunFolder::Joined);
         });
     });
+  if (ranks().GetRank() == 0)
+  {
+    removeUnfinished(this->Given);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -327,7 +355,8 @@ std::string TileShading::GetKey() const
   {
     arrays += " " + array;
   }
-  return keyOfRun(this->Given, file.GetState(), this->Shading) + "arrays:" + arrays +
+  const std::string state = file.GetState() + " all " + relief::HashText(heights->Survey().hash);
+  return keyOfRun(this->Given, state, this->Shading) + "arrays:" + arrays +
     (this->Form && !this->Form->ByValue
         ? " of " + std::to_string(this->Form->GetComponents()) + " components"
         : "") +

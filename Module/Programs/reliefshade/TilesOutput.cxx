@@ -54,15 +54,7 @@ void makeTiles(const Options& options, relief::streaming::WebTiles& tiles)
     showProgress(bar, "tiles", share);
     return !interrupted();
   };
-  try
-  {
-    tiles.Make(plan, watch);
-  }
-  catch (...)
-  {
-    showProgress(bar, "tiles", 1.0); // the line is cleared for what is said next
-    throw;
-  }
+  tiles.Make(plan, watch);
 }
 #endif
 

@@ -40,29 +40,32 @@ public:
   void Draw(const char* what, double share)
   {
     const int percent = static_cast<int>(100.0 * share);
-    if (percent == this->Percent)
+    if (percent == this->Percent && what == this->What && this->Drawn)
     {
       return;
     }
     const Clock::time_point now = Clock::now();
-    if (this->Percent < 0 || percent < this->Percent)
+    if (what != this->What || percent < this->Percent)
     {
       this->Begin = now; // a run that goes on begins amid its way
       this->First = share;
     }
+    this->What = what;
     this->Percent = percent;
+    this->Drawn = true;
     const int filled = Width * percent / 100;
     const std::string bar = std::string(filled, '=') + std::string(Width - filled, ' ');
     std::fprintf(stderr, "\r%s [%s] %3d %%%-12s", what, bar.c_str(), percent,
       this->TimeLeft(share, std::chrono::duration<double>(now - this->Begin).count()).c_str());
   }
 
+  /// What is drawn next may be more of the same: the filter ends with every piece.
   void Clear()
   {
-    if (this->Percent >= 0)
+    if (this->Drawn)
     {
       std::fprintf(stderr, "\r%*s\r", Width + 36, "");
-      this->Percent = -1;
+      this->Drawn = false;
     }
   }
 
@@ -83,7 +86,9 @@ private:
                         : ", " + std::to_string(static_cast<int>(left / 3600.0)) + " h left";
   }
 
+  std::string What;
   int Percent = -1;
+  bool Drawn = false;
   double First = 0.0;
   Clock::time_point Begin;
 };
