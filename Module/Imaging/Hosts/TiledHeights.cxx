@@ -61,9 +61,11 @@ void AddRow(const HeightSource<T>& heights, int j, const float* lengths, double 
 //------------------------------------------------------------------------------
 /// Throws where what is read of a row of regions is not what was passed over, as far as bounds
 /// tell: all else goes by these.
-void CheckBounds(const RasterBounds& bounds, const HeightSupply::Window& window,
+void CheckBounds(const RasterBounds& bounds, float rounding, const HeightSupply::Window& window,
   const float* lengths, std::ptrdiff_t pitch)
 {
+  const auto differ = [rounding](float one, float other)
+  { return one != other && !(std::abs(one - other) <= rounding); };
   for (int i = window.i0; i < window.i1; i += RegionSize)
   {
     RasterBounds::Range found;
@@ -73,7 +75,7 @@ void CheckBounds(const RasterBounds& bounds, const HeightSupply::Window& window,
         found.lo, found.hi);
     }
     const RasterBounds::Range& known = bounds.RangeAt(i / RegionSize, window.j0 / RegionSize);
-    if (found.lo != known.lo || found.hi != known.hi)
+    if (differ(found.lo, known.lo) || differ(found.hi, known.hi))
     {
       throw std::runtime_error("its heights have changed since their bounds were found; remove its "
                                ".bounds.tif, if there is one, and begin anew");
@@ -292,6 +294,10 @@ void TiledHeights::Fill(const RegionSet& regions)
 {
   const double scale = this->Prepared->scale;
   const double datum = this->Found->datum;
+  const RasterBounds& bounds = this->Found->bounds;
+  // Virtual rasters that resample their sources round otherwise in other windows.
+  const float rounding = 16.0f * std::numeric_limits<float>::epsilon() *
+    std::max(std::abs(bounds.GetBottom()), std::abs(bounds.GetTop()));
   this->Sparse->Fill(
     regions,
     [&](int i0, int i1, int j0, int j1, float* lengths, std::ptrdiff_t pitch)
@@ -306,7 +312,7 @@ void TiledHeights::Fill(const RegionSet& regions)
             reader.Read(j, datum, lengths + j * pitch);
           }
         });
-      CheckBounds(this->Found->bounds, { i0, i1, j0, j1 }, lengths, pitch);
+      CheckBounds(bounds, rounding, { i0, i1, j0, j1 }, lengths, pitch);
     },
     ForRows);
 }
