@@ -14,15 +14,36 @@ from ._keywords import brief, several, shown
 
 def plain_array(values, name):
     """An array in the order and of a type that VTK can use where it is: the given one, if it is so."""
-    array = np.asarray(values)
-    kind = array.dtype.kind
-    if kind not in "biuf":
-        raise TypeError(f"{name}: an array of real numbers is expected, not of {brief(str(array.dtype))}")
-    if kind == "b":
-        return np.ascontiguousarray(array).view(np.uint8)
-    if kind == "f" and array.dtype.itemsize not in (4, 8):
+    array = np.asarray(as_array(values, name))
+    if array.dtype.kind == "b":
+        return np.require(array, requirements="C").view(np.uint8)
+    if array.dtype.kind == "f" and array.dtype.itemsize not in (4, 8):
         array = array.astype(np.float32 if array.dtype.itemsize == 2 else np.float64)
-    return np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+    return np.require(array, array.dtype.newbyteorder("="), "CA")
+
+
+def as_array(values, name, expected="an array of real numbers"):
+    """An array of real numbers or bools as it is, masks included."""
+    try:
+        array = values if isinstance(values, np.ma.MaskedArray) else np.asarray(values)
+    except ValueError:  # lists of several lengths
+        raise ValueError(f"{name}: {expected} is expected, all rows of one length") from None
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name}: {expected} is expected, not of {brief(str(array.dtype))}")
+    return array
+
+
+def color_array(values, name):
+    """An array of colours, sRGB codes or linear, whichever they have the type of."""
+    kind = as_array(values, name).dtype
+    if not (kind.kind == "f" or kind in (np.uint8, np.uint16)):
+        raise TypeError(f"{name}: uint8 or uint16 (sRGB), float32 or float64 (linear) is expected, not "
+                        f"{brief(str(kind))}")
+    array = plain_array(values, name)
+    if array.ndim not in (2, 3) or (array.ndim == 3 and not 1 <= array.shape[2] <= 4) or not array.size:
+        raise ValueError(f"{name}: an array of (rows, columns) with 1 to 4 components is expected, "
+                         f"its shape is {shown(array.shape)}")
+    return array
 
 
 def to_image(array, spacing=(1.0, 1.0)):
@@ -82,10 +103,7 @@ def read_heights(heights):
 def read_mask(mask, shape, covered):
     """Bytes that are 0 where there is no data, or None."""
     if mask is not None:
-        mask = flat_shape(np.ma.asanyarray(mask), "mask")
-        if mask.dtype.kind not in "biuf":
-            raise TypeError(f"mask: an array of bools or numbers is expected, not of "
-                            f"{brief(str(mask.dtype))}")
+        mask = flat_shape(as_array(mask, "mask", "an array of bools or numbers"), "mask")
         if mask.shape != shape:
             raise ValueError(f"mask: the shape is {mask.shape}, that of the heights is {shape}")
         # What a masked array masks is no data, and so is NaN.
@@ -99,6 +117,6 @@ def read_mask(mask, shape, covered):
 def read_spacing(spacing):
     pair = spacing if np.ndim(spacing) or isinstance(spacing, str) else (spacing, spacing)
     pair = several(pair, "spacing", (2,), "a number or a pair (dx, dy)")
-    if not all(0.0 < size < float("inf") for size in pair):
-        raise ValueError(f"spacing: {shown(spacing)} was given, numbers above 0 are expected")
+    if not all(1e-32 <= size <= 1e32 for size in pair):  # as the filter takes it
+        raise ValueError(f"spacing: {shown(spacing)} was given, numbers from 1e-32 to 1e32 are expected")
     return pair

@@ -5,8 +5,8 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkScalarsToColors
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from ._arrays import plain_array, to_image
-from ._keywords import brief, encoded_color, several, shown, suggestion
+from ._arrays import color_array, to_image
+from ._keywords import encoded_color, several, shown, suggestion
 
 TEXTURES = {"diffuse_texture": "SetDiffuseTextureData", "base_texture": "SetBaseTextureData",
             "specular_texture": "SetSpecularTextureData"}
@@ -43,16 +43,8 @@ class Colors:
 
 def to_texture(values, name, heights):
     """A texture, first row on top, which is to be stretched over the relief."""
-    array = plain_array(values, name)
-    if np.asarray(values).dtype.kind == "b" or array.dtype not in (
-            np.uint8, np.uint16, np.float32, np.float64):
-        raise TypeError(f"{name}: uint8 or uint16 (sRGB), float32 or float64 (linear) is expected, "
-                        f"not {brief(str(np.asarray(values).dtype))}")
-    if array.ndim not in (2, 3) or (array.ndim == 3 and not 1 <= array.shape[2] <= 4) or not array.size:
-        raise ValueError(f"{name}: an array of (rows, columns) with 1 to 4 components is expected, "
-                         f"its shape is {shown(array.shape)}")
     # Stretched, it lies as the heights lie in memory, whatever its own spacing says.
-    return to_image(np.ascontiguousarray(heights.turned(array)))
+    return to_image(np.ascontiguousarray(heights.turned(color_array(values, name))))
 
 
 def read_limits(limits, heights, covered, nodata):

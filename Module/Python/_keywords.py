@@ -15,7 +15,7 @@ from ._errors import listening
 
 # What is no parameter of the table: name, default, unit and what help tells.
 FIXED = (
-    ("spacing", 1.0, "length", "Distance of the samples, a number or (dx, dy), both above 0"),
+    ("spacing", 1.0, "length", "Distance of the samples, a number or (dx, dy), each from 1e-32 to 1e32"),
     ("mask", None, "", "Array of the heights' shape: where it is 0 or False there is no data"),
     ("nodata", None, "heights", "The height that marks samples without data"),
     ("sun", None, "degrees", "(azimuth, altitude[, angular diameter]), any azimuth, an altitude from "
@@ -276,7 +276,7 @@ def set_checked(name, instance, setter, arguments, *others):
     if heard.failed:
         # The setter's own words, but for its name and for what becomes of its object.
         text = re.sub(r"\A[A-Z]\w+: ", "", heard.errors[0])
-        text = re.sub(r"; [^;]* (kept|added)\Z", "", text.rstrip("."))
+        text = re.sub(r"; [^;]* (kept|added|changed)\Z", "", text.rstrip("."))
         if "not enough memory" in text:
             raise MemoryError(text)
         raise ValueError(f"{name}: {brief(text, 160)}")

@@ -5,7 +5,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkLight
 
 from . import vtkReliefEnvironment
-from ._arrays import plain_array, to_upright_image
+from ._arrays import color_array, to_upright_image
 from ._keywords import OF_LIGHT, converted, several, set_checked, shown, suggestion
 
 PRESETS = {
@@ -103,10 +103,12 @@ def _angles(name, sun, only=False):
 
 def _set_light(scene, light, name, values):
     """Sets what the table says of lights, from a dict."""
+    known = {key: row for key, row in OF_LIGHT.items()
+             if not (key == "angular_diameter" and light.GetPositional())}
     for key, value in values.items():
-        row = OF_LIGHT.get({"diffuse_color": "color", "switch": "on"}.get(key, key))
-        if row is None or (row["key"] == "angularDiameter" and light.GetPositional()):
-            raise TypeError(f"{name}: there is no {shown(key)}" + suggestion(key, list(OF_LIGHT)))
+        row = known.get({"diffuse_color": "color", "switch": "on"}.get(key, key))
+        if row is None:
+            raise TypeError(f"{name}: there is no {shown(key)}" + suggestion(key, list(known)))
         place = f"{name}: {key}"
         arguments = converted(row, value, place)
         if not np.isfinite(arguments).all():
@@ -144,7 +146,8 @@ def _moment(name, moment):
         refraction = converted({"kind": "flag"}, rest.pop("refraction", True), name + ": refraction")[0]
     else:
         expected = "(time, longitude, latitude[, convergence])"
-        if isinstance(moment, str) or not hasattr(moment, "__len__") or len(moment) not in (3, 4):
+        if (isinstance(moment, str) or not hasattr(moment, "__len__") or getattr(moment, "ndim", 1) != 1
+                or len(moment) not in (3, 4)):
             raise TypeError(f"{name}: {expected} is expected, not {shown(moment)}")
         values, refraction = [*moment, 0.0][:4] + [0.0], True
     time = values[0].isoformat() if hasattr(values[0], "isoformat") else values[0]
@@ -195,10 +198,7 @@ class Environments:
         if isinstance(value, vtkReliefEnvironment):
             environment.ShallowCopy(value)
             return environment
-        array = plain_array(value, "environment")
-        if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] > 4) or array.size == 0:
-            raise ValueError("environment: an array of (rows, columns) with 1 to 4 components is "
-                             f"expected, its shape is {shown(array.shape)}")
+        array = color_array(value, "environment")
         if self._array is None or self._array.dtype != array.dtype or not np.array_equal(
                 self._array, array, equal_nan=array.dtype.kind == "f"):
             self._array = array.copy()

@@ -99,12 +99,15 @@ class Relief:
             raise RuntimeError("the picture is empty: the update was ended")
 
     def _set_output(self, values, scene):
+        value = values.get("dtype", "uint8")
+        if not isinstance(value, (str, type, np.dtype)):
+            raise TypeError(f"dtype: uint8 or float32 is expected, not {shown(value)}")
         try:
-            kind = np.dtype(values.get("dtype", "uint8"))
+            kind = np.dtype(value)
         except Exception:  # which NumPy raises depends on the value, and what its text does
             kind = None
         if kind not in (np.uint8, np.float32):
-            raise ValueError(f"dtype: {shown(values['dtype'])} was given, uint8 or float32 is expected")
+            raise ValueError(f"dtype: {shown(value)} was given, uint8 or float32 is expected")
         if kind == np.uint8:
             self._filter.SetOutputScalarTypeToUnsignedChar()
         else:

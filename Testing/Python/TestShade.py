@@ -168,8 +168,9 @@ class TestShade(unittest.TestCase):
         big[::2, 1::3] = heights
         read_only = heights.copy()
         read_only.flags.writeable = False
+        unaligned = np.frombuffer(b"x" + heights.tobytes(), np.uint8)[1:].view(np.float32).reshape(heights.shape)
         layouts = {
-            "C": heights, "read-only": read_only, "F": np.asfortranarray(heights),
+            "unaligned": unaligned, "C": heights, "read-only": read_only, "F": np.asfortranarray(heights),
             "rows backward": np.ascontiguousarray(heights[::-1])[::-1],
             "columns backward": np.ascontiguousarray(heights[:, ::-1])[:, ::-1],
             "strided": big[::2, 1::3], "(1, n, m)": heights[np.newaxis],
@@ -183,6 +184,7 @@ class TestShade(unittest.TestCase):
                 np.testing.assert_array_equal(relief.shade().image, expected)
                 used = vtk_to_numpy(relief.filter.GetInput().GetPointData().GetScalars())
                 self.assertEqual(np.shares_memory(used, np.asarray(array)), name in free)
+                self.assertTrue(used.flags.aligned)
 
     def test_results_are_not_copied_and_live_on(self):
         relief = Relief(hills())

@@ -188,7 +188,15 @@ class TestKeywords(unittest.TestCase):
             (ValueError, "spacing: 0 ", {"spacing": 0}),
             (ValueError, "spacing", {"spacing": (1, math.nan)}),
             (TypeError, "spacing", {"spacing": "wide"}),
+            (ValueError, "spacing: .*from 1e-32 to 1e32", {"spacing": 2e32}),
+            (ValueError, "spacing", {"spacing": (1, 9e-33)}),
             (ValueError, "mask: the shape", {"mask": np.ones((3, 3))}),
+            (ValueError, "mask: .*one length", {"mask": [[1, 0], [1]]}),
+            (TypeError, "mask", {"mask": "here"}),
+            (TypeError, "mask", {"mask": object()}),
+            (TypeError, "environment: .*not int32", {"environment": np.ones((2, 4), np.int32)}),
+            (TypeError, "environment: .*not bool", {"environment": np.ones((2, 4), bool)}),
+            (TypeError, "base_texture: .*not int64", {"base_texture": [[1, 2]]}),
             (ValueError, "did you mean 'igor'", {"preset": "igo"}),
             (ValueError, "takes no sun", {"preset": "sky-dome", "sun": (1, 2)}),
             (ValueError, "has its own", {"preset": "sky-dome", "environment": np.ones((2, 4))}),
@@ -197,14 +205,20 @@ class TestKeywords(unittest.TestCase):
             (TypeError, "sun: there is no 'colour'; did you mean 'color'",
              {"sun": dict(azimuth=1, altitude=2, colour="red")}),
             (TypeError, "lacks 'altitude'", {"sun": dict(azimuth=1)}),
+            (ValueError, r"sun: angular_diameter: 500 .*\[0, 90\] is expected$",
+             {"sun": dict(azimuth=1, altitude=2, angular_diameter=500)}),
             (TypeError, "suns: a list", {"suns": 3}),
             (TypeError, r"suns\[0\]", {"suns": (0, 45)}),
             (ValueError, "lamp", {"lamp": (0, 0, math.inf)}),
+            (TypeError, "lamp: there is no 'angular_diameter'$",
+             {"lamp": dict(position=(1, 2, 3), angular_diameter=1)}),
+            (TypeError, "sun_at: ", {"sun_at": np.array(0.5)}),
             (ValueError, "there is no environment", {"environment_tilt": 3}),
             (ValueError, "did you mean 'shadow'", {"layers": "shadows"}),
             (TypeError, "layers", {"layers": 3}),
             (ValueError, "dtype", {"dtype": "int16"}),
             (ValueError, "dtype", {"dtype": "nonsense"}),
+            (TypeError, "dtype", {"dtype": 3}),
             (ValueError, "no colour", {"diffuse_color": "reddishest"}),
             (ValueError, "background: .*from 0 to 1 is expected", {"background": (5, -1, math.nan)}),
             (ValueError, "background: ", {"background": (0, 0, math.nan), "alpha": False}),
@@ -227,8 +241,16 @@ class TestKeywords(unittest.TestCase):
             with self.subTest(str(keywords)), self.assertRaisesRegex(kind, text):
                 shade(heights, **keywords)
         for shape in ((0, 5), (5,), (2, 3, 4), ()):
-            with self.subTest(shape), self.assertRaisesRegex(ValueError, "heights: "):
+            with self.subTest(shape), self.assertRaises(ValueError) as raised:
                 shade(np.zeros(shape))
+            self.assertRegex(str(raised.exception), "^heights: ")
+            self.assertIn(str(shape), str(raised.exception))
+        with self.assertRaisesRegex(ValueError, "heights: .*one length"):
+            shade([[1.0, 2.0], [3.0]])
+
+    def test_spacing_is_as_the_filter_takes_it(self):
+        for size in (1e-32, 1e32):
+            shade(hills(12, 10) * size, spacing=size)
 
     def test_messages_are_short(self):
         """Whatever is given and however long it is."""
