@@ -31,7 +31,7 @@ FIXED = (
     ("preset", None, "", "Lights that map makers know: default, multidirectional, sky-dome, "
      "sun-and-sky, combined or igor; the last three go by sun"),
     ("environment", None, "", "Light from all around: an array of (rows, columns[, 1 to 4]), zenith on "
-     "top, or a vtkReliefEnvironment"),
+     "top, of the types of diffuse_texture, or a vtkReliefEnvironment"),
     ("depth", None, "spacing", 'subsurface_depth by its short name, a number of at least 0, or "auto"'),
     ("diffuse_texture", None, "", "Array of (rows, columns[, 1 to 4]) over the diffuse colour: "
      "uint8 and uint16 are sRGB-encoded, float32 and float64 linear; it is stretched over the relief"),
