@@ -268,20 +268,20 @@ void vtkReliefLightRepresentation::SetSelectedOutlineColor(double red, double gr
 }
 
 //------------------------------------------------------------------------------
-void vtkReliefLightRepresentation::PlaceWidget(vtkImageData* heights)
+void vtkReliefLightRepresentation::PlaceOnHeights(vtkImageData* heights)
 {
   vtkDataArray* values = heights ? heights->GetPointData()->GetScalars() : nullptr;
   if (!values || heights->GetNumberOfPoints() < 1)
   {
     vtkErrorMacro(
-      "PlaceWidget: " << (heights ? "an image without heights" : "null")
-                      << " was given, an image with scalars is expected; the place is kept.");
+      "PlaceOnHeights: " << (heights ? "an image without heights" : "null")
+                         << " was given, an image with scalars is expected; the place is kept.");
     return;
   }
   if (!this->Internal->Frame.Place(heights, this->Internal->Compass.HalfSize))
   {
     vtkErrorMacro(
-      "PlaceWidget: an image was given whose origin, spacing or direction matrix is not "
+      "PlaceOnHeights: an image was given whose origin, spacing or direction matrix is not "
       "finite, or whose spacing is 0 or matrix singular; the place is kept.");
     return;
   }

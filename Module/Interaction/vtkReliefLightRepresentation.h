@@ -71,8 +71,12 @@ public:
    * compass of suns is centred on the relief and fits its shorter side; PlaceFactor, here 1 by
    * default, makes it larger or smaller. An image that is empty or has no scalars is an error and
    * leaves the place as it is. Default: a square of side 1 about the origin.
+   *
+   * PlaceOnHeights is PlaceWidget for images alone: Python takes one that can be indexed, as
+   * PyVista's can, for bounds.
    */
-  void PlaceWidget(vtkImageData* heights);
+  void PlaceOnHeights(vtkImageData* heights);
+  void PlaceWidget(vtkImageData* heights) { this->PlaceOnHeights(heights); }
   void PlaceWidget(double bounds[6]) override;
   ///@}
 

@@ -264,7 +264,7 @@ def add_light_widget(plotter, relief, callback=None):
     widget.SetCurrentRenderer(relief.renderer)
     dot = widget.GetLightRepresentation()
     dot.SetScene(relief.scene)
-    dot.PlaceWidget(relief._heights.image)
+    dot.PlaceOnHeights(relief._heights.image)
     dot.SetProp(relief.actor)
     widget.On()
     if callback is not None:

@@ -155,7 +155,7 @@ class Tiles(Case):
         self.good("in.vrt", "--xyz", "tiles")
         self.good("in.vrt", "--xyz", "tiles")
         os.utime(self.path("in.tif"), (1, 1))
-        self.bad(1, ["another run", "in.tif"], "in.vrt", "--xyz", "tiles")
+        self.bad(1, ["another run", "in.vrt"], "in.vrt", "--xyz", "tiles")
 
     def test_killed_and_interrupted(self):
         words = [JACKSBORO, "--xyz", "tiles", "--zoom", "5-13", "--quiet"]

@@ -6,6 +6,8 @@ import unittest
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (windows and mappers)
 from reliefshading import vtkReliefLightRepresentation, vtkReliefLightWidget, vtkReliefScene
+from vtkmodules.vtkCommonCore import VTK_FLOAT
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkInteractionWidgets import vtkAbstractWidget, vtkWidgetRepresentation
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor
 
@@ -50,6 +52,27 @@ class TestLightWidget(unittest.TestCase):
         self.assertAlmostEqual(at[0], 0.6)
         self.assertEqual(dot.GetInteractionState(), vtkReliefLightRepresentation.Nearby)
         widget.Off()
+
+    def test_an_image_that_can_be_indexed(self):
+        """As PyVista's, which VTK would take for bounds."""
+        class Image(vtkImageData):
+            def __getitem__(self, key):
+                return self.GetPointData().GetArray(key)
+
+        heights = Image()
+        heights.SetDimensions(21, 11, 1)
+        heights.SetSpacing(10.0, 10.0, 1.0)
+        heights.AllocateScalars(VTK_FLOAT, 1)
+        heights.GetPointData().GetScalars().Fill(0.0)
+        scene = vtkReliefScene()
+        scene.AddSun(90.0, 45.0)
+        dot = vtkReliefLightRepresentation()
+        dot.SetScene(scene)
+        dot.PlaceOnHeights(heights)
+        at = [0.0, 0.0, 0.0]
+        self.assertTrue(dot.GetDotPosition(at))
+        self.assertAlmostEqual(at[0], 125.0)
+        self.assertAlmostEqual(at[1], 50.0)
 
 
 if __name__ == "__main__":

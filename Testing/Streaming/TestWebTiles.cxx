@@ -530,6 +530,18 @@ void TestGoingOn()
 }
 
 #ifndef _WIN32
+std::size_t NumberOfFiles(const std::string& folder)
+{
+  std::error_code none; // while others make and rename files there
+  std::size_t count = 0;
+  for (fs::recursive_directory_iterator at(folder, none), end; !none && at != end;
+       at.increment(none))
+  {
+    ++count;
+  }
+  return count;
+}
+
 void TestKilled()
 {
   const auto whole = Contents(Directory + "whole");
@@ -549,10 +561,20 @@ void TestKilled()
       }
       _exit(0);
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(50 + random() % 300));
-    kill(child, SIGKILL);
+    // As soon as it has made some files more, or a little later.
+    const std::size_t wanted = NumberOfFiles(folder) + random() % 6;
     int status = 0;
-    waitpid(child, &status, 0);
+    pid_t ended = 0;
+    do
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 30));
+      ended = waitpid(child, &status, WNOHANG);
+    } while (ended == 0 && NumberOfFiles(folder) < wanted);
+    if (ended == 0)
+    {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+    }
     kills += WIFSIGNALED(status) ? 1 : 0;
   }
   const std::size_t made = Contents(folder).size();

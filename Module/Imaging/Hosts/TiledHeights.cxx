@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <new>
@@ -77,8 +78,9 @@ void CheckBounds(const RasterBounds& bounds, float rounding, const HeightSupply:
     const RasterBounds::Range& known = bounds.RangeAt(i / RegionSize, window.j0 / RegionSize);
     if (differ(found.lo, known.lo) || differ(found.hi, known.hi))
     {
-      throw std::runtime_error("its heights have changed since their bounds were found; remove its "
-                               ".bounds.tif, if there is one, and begin anew");
+      throw std::runtime_error(
+        "its heights are not those of their bounds: they have changed (remove its .bounds.tif and "
+        "begin anew), or a virtual raster resamples them part by part (make a plain raster of it)");
     }
   }
 }
