@@ -131,7 +131,7 @@ class Changes(Memory):
         import pty
 
         terminal, other = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "a.tif", "tiles.tif", *SUN, "--sun-diameter", "1", "--sun-samples", "400",
+        process = subprocess.Popen([PROGRAM, "a.tif", "tiles.tif", *SUN, "--sun-diameter", "1", "--sun-samples", "300",
                                     "--threads", "1", *MEMORY], cwd=self.folder, stderr=other)
         os.close(other)
         said = b""
