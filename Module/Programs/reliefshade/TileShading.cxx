@@ -2,7 +2,6 @@
 #include "TileShading.h"
 
 #include "Failure.h"
-#include "HeightHash.h"
 #include "MessageLog.h"
 #include "Options.h"
 #include "OutputNames.h"
@@ -355,7 +354,7 @@ std::string TileShading::GetKey() const
   {
     arrays += " " + array;
   }
-  const std::string state = file.GetState() + " all " + relief::HashText(heights->Survey().hash);
+  const std::string state = file.GetState() + " all " + std::to_string(heights->Survey().hash);
   return keyOfRun(this->Given, state, this->Shading) + "arrays:" + arrays +
     (this->Form && !this->Form->ByValue
         ? " of " + std::to_string(this->Form->GetComponents()) + " components"
