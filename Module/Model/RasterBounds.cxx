@@ -94,6 +94,29 @@ void RasterBounds::AddToRanges(const float* row, int j)
   }
 }
 
+bool RasterBounds::Agree(
+  int i, int j, int count, const float* heights, std::ptrdiff_t pitch, float rounding) const
+{
+  const auto same = [rounding](float one, float other)
+  { return one == other || std::abs(one - other) <= rounding; };
+  const int rows = std::min(RegionSize, this->Rows - j * RegionSize);
+  for (int region = i; region < i + count; ++region, heights += RegionSize)
+  {
+    Range found;
+    for (int k = 0; k < rows; ++k)
+    {
+      const int size = std::min(RegionSize, this->Columns - region * RegionSize);
+      AddToRange(heights + k * pitch, size, found.lo, found.hi);
+    }
+    const Range& known = this->RangeAt(region, j);
+    if (!same(found.lo, known.lo) || !same(found.hi, known.hi))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Bounds of the cells of a row of regions, once the row of samples that closes it is there.
 void RasterBounds::CloseBand()
 {

@@ -81,6 +81,11 @@ public:
 
   const Range& RangeAt(int i, int j) const { return this->Ranges[this->At(i, j)]; }
 
+  /// Whether heights of whole regions, of `count` regions from region (i, j) eastward, can be those
+  /// that were added, as far as the regions' ranges tell: to within `rounding`.
+  bool Agree(
+    int i, int j, int count, const float* heights, std::ptrdiff_t pitch, float rounding) const;
+
   /// Whether any of the cells that begin in a region, by its column and row, is a hole.
   bool HasHoles(int i, int j) const
   {

@@ -68,6 +68,46 @@ TEST_F(SparseHeightsTest, BoundsAreThoseOfTheWhole)
   }
 }
 
+TEST_F(SparseHeightsTest, BoundsTellHeightsThatAreOthers)
+{
+  Random random(Seed());
+  SCOPED_TRACE("RELIEF_SEED=" + std::to_string(Seed()));
+  constexpr int size = RasterBounds::RegionSize;
+  for (int k = 0; k < 30; ++k)
+  {
+    const Terrain terrain =
+      MakeLargeTerrain(random, random.Integer(1, 400), random.Integer(1, 300));
+    Both both(terrain, true);
+    ASSERT_EQ(both.wrong, "");
+    const HeightView<float>& view = both.whole.GetField().heights;
+    std::vector<float> heights(static_cast<std::size_t>(view.columns) * view.rows);
+    HeightsOf(both.whole)(0, view.columns, 0, view.rows, heights.data(), view.columns);
+    const auto agree = [&](int i, int j, int count, float rounding)
+    {
+      const float* first =
+        heights.data() + static_cast<std::size_t>(j) * size * view.columns + i * size;
+      return both.bounds.Agree(i, j, count, first, view.columns, rounding);
+    };
+    const int columns = both.bounds.GetRegionColumns();
+    for (int j = 0; j < both.bounds.GetRegionRows(); ++j)
+    {
+      EXPECT_TRUE(agree(0, j, columns, 0.0f));
+    }
+    // One sample above all others.
+    const int x = random.Integer(0, view.columns - 1);
+    const int y = random.Integer(0, view.rows - 1);
+    const float top = both.whole.GetTop() + 1.0f;
+    heights[static_cast<std::size_t>(y) * view.columns + x] = top;
+    const int i = x / size;
+    const int j = y / size;
+    EXPECT_FALSE(agree(0, j, columns, 0.0f));
+    EXPECT_FALSE(agree(i, j, 1, 0.5f));
+    EXPECT_TRUE(agree(0, j, i, 0.0f));
+    EXPECT_TRUE(agree(i + 1, j, columns - i - 1, 0.0f));
+    EXPECT_TRUE(j == 0 || agree(0, j - 1, columns, 0.0f));
+  }
+}
+
 TEST_F(SparseHeightsTest, RowsArePaddedAsThoseOfTheWhole)
 {
   Random random(Seed());

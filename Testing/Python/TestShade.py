@@ -168,7 +168,7 @@ class TestShade(unittest.TestCase):
         big[::2, 1::3] = heights
         read_only = heights.copy()
         read_only.flags.writeable = False
-        unaligned = np.frombuffer(b"x" + heights.tobytes(), np.uint8)[1:].view(np.float32).reshape(heights.shape)
+        unaligned = np.ndarray(heights.shape, np.float32, b"x" + heights.tobytes(), 1)
         layouts = {
             "unaligned": unaligned, "C": heights, "read-only": read_only, "F": np.asfortranarray(heights),
             "rows backward": np.ascontiguousarray(heights[::-1])[::-1],

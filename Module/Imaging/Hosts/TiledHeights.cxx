@@ -60,32 +60,6 @@ void AddRow(const HeightSource<T>& heights, int j, const float* lengths, double 
 }
 
 //------------------------------------------------------------------------------
-/// Throws where what is read of a row of regions is not what was passed over, as far as bounds
-/// tell: all else goes by these.
-void CheckBounds(const RasterBounds& bounds, float rounding, const HeightSupply::Window& window,
-  const float* lengths, std::ptrdiff_t pitch)
-{
-  const auto differ = [rounding](float one, float other)
-  { return one != other && !(std::abs(one - other) <= rounding); };
-  for (int i = window.i0; i < window.i1; i += RegionSize)
-  {
-    RasterBounds::Range found;
-    for (int j = 0; j < window.j1 - window.j0; ++j)
-    {
-      AddToRange(lengths + j * pitch + (i - window.i0), std::min(RegionSize, window.i1 - i),
-        found.lo, found.hi);
-    }
-    const RasterBounds::Range& known = bounds.RangeAt(i / RegionSize, window.j0 / RegionSize);
-    if (differ(found.lo, known.lo) || differ(found.hi, known.hi))
-    {
-      throw std::runtime_error(
-        "its heights are not those of their bounds: they have changed (remove its .bounds.tif and "
-        "begin anew), or a virtual raster resamples them part by part (make a plain raster of it)");
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 std::string LimitMessage(double bytes, const TiledHeights::Limit& limit)
 {
   const auto kibibytes = [](double number)
@@ -296,10 +270,11 @@ void TiledHeights::Fill(const RegionSet& regions)
 {
   const double scale = this->Prepared->scale;
   const double datum = this->Found->datum;
-  const RasterBounds& bounds = this->Found->bounds;
   // Virtual rasters that resample their sources round otherwise in other windows.
-  const float rounding = 16.0f * std::numeric_limits<float>::epsilon() *
-    std::max(std::abs(bounds.GetBottom()), std::abs(bounds.GetTop()));
+  const double most = std::max(
+    std::abs(scale * this->Found->least - datum), std::abs(scale * this->Found->greatest - datum));
+  const float step = std::numeric_limits<float>::epsilon() * static_cast<float>(most);
+  const float rounding = std::isfinite(step) ? 16.0f * step : 0.0f;
   this->Sparse->Fill(
     regions,
     [&](int i0, int i1, int j0, int j1, float* lengths, std::ptrdiff_t pitch)
@@ -314,7 +289,14 @@ void TiledHeights::Fill(const RegionSet& regions)
             reader.Read(j, datum, lengths + j * pitch);
           }
         });
-      CheckBounds(bounds, rounding, { i0, i1, j0, j1 }, lengths, pitch);
+      const int count = (i1 - i0 + RegionSize - 1) / RegionSize;
+      if (!this->Found->bounds.Agree(
+            i0 / RegionSize, j0 / RegionSize, count, lengths, pitch, rounding))
+      {
+        throw std::runtime_error("its heights are not those of their bounds: they have changed "
+                                 "(remove its .bounds.tif and begin anew), or a virtual raster "
+                                 "resamples them part by part (make a plain raster of it)");
+      }
     },
     ForRows);
 }
