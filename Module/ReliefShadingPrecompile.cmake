@@ -29,14 +29,15 @@ relief_precompile(relief_precompiled_shared ON)
 relief_precompile(relief_precompiled_programs OFF)
 foreach (target IN LISTS relief_targets)
   get_target_property(type ${target} TYPE)
-  if (target MATCHES "^(ReliefModel|ReliefHard.*|relief(Fuzz|Replay)Scene)$")
-    continue () # without VTK
-  elseif (target MATCHES "^(reliefshadeRanks|reliefviewer|TestViewer.*)$")
-    continue () # compiled in a way of its own, by what MPI and Qt ask for
-  elseif (target STREQUAL reliefModelTests)
+  get_target_property(libraries ${target} LINK_LIBRARIES)
+  if (target STREQUAL reliefModelTests)
     target_precompile_headers(reliefModelTests PRIVATE
       <algorithm> <cmath> <functional> <limits> <random> <string> <vector> <glm/common.hpp> <glm/geometric.hpp>
       <gtest/gtest.h>)
+  elseif (NOT libraries MATCHES "VTK::")
+    continue ()
+  elseif (target MATCHES "^(reliefshadeRanks|reliefviewer|TestViewer.*)$")
+    continue () # compiled in a way of its own, by what MPI and Qt ask for
   elseif (type STREQUAL "SHARED_LIBRARY" OR type STREQUAL "MODULE_LIBRARY" OR target STREQUAL reliefviewerParts)
     target_precompile_headers(${target} REUSE_FROM relief_precompiled_shared)
   elseif (type STREQUAL "EXECUTABLE" OR target STREQUAL reliefshadeFiles)

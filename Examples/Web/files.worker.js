@@ -4,7 +4,8 @@
 // libraries, from all else by the browser, heights of meshes and of normals by the package; pictures as PNG.
 
 import { convertIndexedToRgb, decode, encode } from "fast-png";
-import { isMesh, looksLikeNormals, usualReading, usualView } from "./sources.js";
+import { tellUndeclared } from "./nodata.js";
+import { encodings, isMesh, looksLikeNormals, usualReading, usualView } from "./sources.js";
 
 const most = 2 ** 26; // samples
 
@@ -79,12 +80,14 @@ async function read(name, buffer) {
 
 //--------------------------------------------------------------------------------------------------
 
-// Of a colour its brightness; what is transparent has no data, nor has what no float goes beyond.
-function toHeights({ data, width, height, channels, nodata, alpha = channels % 2 === 0, ...rest }) {
+const brightness = (red, green, blue) => 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+
+// Of a colour what it stands for; what is transparent has no data, nor has what no float goes beyond.
+function toHeights({ data, width, height, channels, nodata, alpha = channels % 2 === 0, ...rest }, meaning = brightness) {
   const heights = new Float32Array(width * height);
   const colored = channels >= 3;
   for (let k = 0, at = 0; k < heights.length; ++k, at += channels) {
-    const value = colored ? 0.2126 * data[at] + 0.7152 * data[at + 1] + 0.0722 * data[at + 2] : data[at];
+    const value = colored ? meaning(data[at], data[at + 1], data[at + 2]) : data[at];
     heights[k] = value === nodata || Math.abs(value) > 3.4e38 ? NaN : value;
   }
   if (alpha) {
@@ -142,13 +145,22 @@ async function readHeights({ name, address, how, ...file }) {
   }
   const picture = await read(name, buffer);
   if (picture.channels < 3 || picture.channels > 4 || picture.lengths) {
-    const { unit } = picture;
-    const told = `“${name}” has heights in ${unit} and a spacing in metres: Height scale is what makes them alike.`;
-    return { ...toHeights(picture), warnings: unit ? [told] : [] };
+    const { unit, told, lengths } = picture;
+    const field = toHeights(picture);
+    const warnings = [
+      unit && `has heights in ${unit} and a spacing in metres: Height scale is what makes them alike.`,
+      told,
+      tellUndeclared(field.heights, field.width, lengths),
+    ];
+    return { ...field, warnings: warnings.filter(Boolean).map((text) => `“${name}” ${text}`) };
   }
   const looks = how?.as === undefined && looksLikeNormals(picture);
   const way = { ...usualReading, ...(looks ? { as: "normals" } : {}), ...how };
-  const field = await (way.as === "normals" ? normalHeights(name, picture, way) : toHeights(picture));
+  const encoding = encodings[way.as];
+  if (encoding && !(picture.data instanceof Uint8Array || picture.data instanceof Uint8ClampedArray)) {
+    throw new Refusal(`“${name}” cannot be opened: heights are encoded in colours of 8 bits, and it has others.`);
+  }
+  const field = await (way.as === "normals" ? normalHeights(name, picture, way) : toHeights(picture, encoding));
   const told = looks
     ? [`“${name}” looks like a picture of normals and is read as one; under Heights it can be read by its brightness.`]
     : [];

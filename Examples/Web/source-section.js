@@ -73,10 +73,12 @@ export function heightsSection(page, shows) {
   });
   const as = select({
     label: "Read as",
-    title: "What the colours of the picture stand for",
+    title: "What the colours of the picture stand for; reliefshade --normal-map, --encoding",
     options: [
       ["brightness", "Heights, by brightness"],
       ["normals", "Normals"],
+      ["terrarium", "Heights as in Terrarium's tiles"],
+      ["terrain-rgb", "Heights as in Mapbox's tiles"],
     ],
     onChange: (value) => change({ as: value }),
   });

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ways to read the file of heights: a mesh as seen from one side, a picture by its brightness or as normals.
+// Ways to read the file of heights: a mesh as seen from one side, a picture by its brightness, as normals or as
+// heights that its colours encode.
 
 export const isMesh = (name) => /\.obj$/i.test(name);
 
 /** How a mesh is read, as reliefshade does it; and a picture, where it does not look like normals. */
 export const usualView = { direction: [0, 0, 1], up: [0, 1, 0], resolution: 1024 };
 export const usualReading = { as: "brightness", green: "auto", method: "least-squares" };
+
+/** Metres by the red, green and blue of tiles of heights, as of reliefshade --encoding. */
+export const encodings = {
+  terrarium: (red, green, blue) => 256 * red + green + blue / 256 - 32768,
+  "terrain-rgb": (red, green, blue) => (65536 * red + 256 * green + blue) / 10 - 10000,
+};
 
 /** Whether the colours of a picture are directions: nearly all of length 1, and toward the viewer. */
 export function looksLikeNormals({ data, width, height, channels }) {

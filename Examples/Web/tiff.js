@@ -9,6 +9,40 @@ import { metresOfDegree, metresOfWebMetre } from "./geodesy.js";
 const webMercator = [3857, 3785, 900913, 102100, 102113];
 const metre = /^m(et(er|re)s?)?$/i;
 const alphas = [1, 2]; // of the tag ExtraSamples
+const pixelIsPoint = 2; // of the key GTRasterType
+
+// What is worth a word of how it lies on its map.
+function tellPlace(image, place) {
+  const { fileDirectory: tags } = image;
+  const matrix = tags.hasTag("ModelTransformation") ? tags.getValue("ModelTransformation") : [];
+  if (place.lengths && (matrix[1] || matrix[4])) {
+    return "is turned on its map: lights shine from the sides of the picture.";
+  }
+  const points = tags.hasTag("ModelTiepoint") ? tags.getValue("ModelTiepoint").length / 6 : 0;
+  return !place.lengths && points > 1
+    ? "has its place by control points, which are not used: samples lie 1 apart. gdalwarp makes a raster with a place."
+    : undefined;
+}
+
+// The samples of a picture that was stored in another order, as the tag Orientation tells.
+function upright({ data, width, height, ...rest }, orientation) {
+  const { channels } = rest;
+  const across = orientation >= 5; // columns are stored as rows
+  const [columns, rows] = across ? [height, width] : [width, height];
+  const fromRight = [2, 3, 7, 8].includes(orientation);
+  const fromBelow = [3, 4, 6, 7].includes(orientation);
+  const turned = new data.constructor(data.length);
+  for (let row = 0, at = 0; row < rows; ++row) {
+    for (let column = 0; column < columns; ++column, at += channels) {
+      const [x, y] = across ? [row, column] : [column, row];
+      const from = channels * ((fromBelow ? height - 1 - y : y) * width + (fromRight ? width - 1 - x : x));
+      for (let c = 0; c < channels; ++c) {
+        turned[at + c] = data[from + c];
+      }
+    }
+  }
+  return { data: turned, width: columns, height: rows, ...rest };
+}
 
 // What a TIFF says of its place: spacing in metres, where degrees are, and the south-western sample.
 function placeOf(image, height) {
@@ -16,7 +50,7 @@ function placeOf(image, height) {
     const [x, y] = image.getOrigin();
     const [dx, dy] = image.getResolution().map(Math.abs);
     const keys = image.getGeoKeys() ?? {};
-    const half = keys.GTRasterTypeGeoKey === 2 ? 0 : 0.5;
+    const half = keys.GTRasterTypeGeoKey === pixelIsPoint ? 0 : 0.5;
     const metres =
       keys.GTModelTypeGeoKey === 2
         ? metresOfDegree
@@ -53,5 +87,9 @@ export async function readTiff(bytes, checkSize) {
   const alpha = alphas.includes(extra.at(-1));
   const place = placeOf(image, height);
   const unit = place.lengths ? await otherUnit(image) : undefined;
-  return { data, width, height, channels, alpha, nodata: image.getGDALNoData(), unit, ...place };
+  const told = tellPlace(image, place);
+  const picture = { data, width, height, channels, alpha, nodata: image.getGDALNoData(), unit, told, ...place };
+  const orientation = tags.hasTag("Orientation") ? tags.getValue("Orientation") : 1;
+  // On a map it is the place that counts.
+  return place.lengths || !(orientation >= 2 && orientation <= 8) ? picture : upright(picture, orientation);
 }

@@ -12,6 +12,20 @@ import {
   openHeights, pictureOf, sceneOf, settled, values,
 } from './harness.mjs';
 
+// Which sample of the picture, from above, is stored at a column of a row, by the values of TIFF's tag Orientation.
+const sampleAt = (column, row) => row * COLUMNS + column;
+const [right, bottom] = [COLUMNS - 1, ROWS - 1];
+const storedOrders = {
+  1: (i, j) => sampleAt(i, j),
+  2: (i, j) => sampleAt(right - i, j),
+  3: (i, j) => sampleAt(right - i, bottom - j),
+  4: (i, j) => sampleAt(i, bottom - j),
+  5: (i, j) => sampleAt(j, i),
+  6: (i, j) => sampleAt(right - j, i),
+  7: (i, j) => sampleAt(right - j, bottom - i),
+  8: (i, j) => sampleAt(j, bottom - i),
+};
+
 export const tests = {
   // What is saved is what reliefshade makes of the saved scene, and links carry it.
   async Scenes()
@@ -202,6 +216,36 @@ export const tests = {
     assert.equal(await alertOf(page), '');
     await openHeights(page, 'feet.tif', floatTiff({ more: [unit('ft')] }));
     assert.match(await alertOf(page), /^“feet.tif” has heights in ft and a spacing in metres/);
+
+    // A value that nobody declared, as all readers tell it; not one that lies among the others.
+    const holes = (value) => Float32Array.from({ length: size }, (_, k) => (k < 50 ? value : 100 + k % 7));
+    await openHeights(page, 'undeclared.tif', floatTiff({ data: holes(-9999) }));
+    const told = `“undeclared.tif” has -9999 in 50 of ${size} samples, far from the next value, 100: it is taken for a height`;
+    assert.ok((await alertOf(page)).startsWith(told), await alertOf(page));
+    await openHeights(page, 'warped.tif', floatTiff({ data: holes(0) }));
+    assert.match(await alertOf(page), /^“warped.tif” has 0 in 50 of/);
+    await openHeights(page, 'sea.tif', floatTiff({ data: Float32Array.from({ length: size }, (_, k) => k % 60) }));
+    assert.equal(await alertOf(page), '');
+
+    // How it lies: turned on its map, by control points, stored in another order.
+    const matrix = [34264, 12, [1.6, 1.2, 0, 1000, 1.2, -1.6, 0, 5000, 0, 0, 0, 0, 0, 0, 0, 1]];
+    await openHeights(page, 'turned.tif', floatTiff({ place: [matrix] }));
+    assert.match(await alertOf(page), /^“turned.tif” is turned on its map: /);
+    assert.ok((await field()).spacing.every((length) => Math.abs(length - 2) < 1e-9), `${(await field()).spacing}`);
+    const points = [33922, 12, [0, 0, 0, 10, 50, 0, 60, 0, 0, 90, 50, 0, 60, 40, 0, 95, 90, 0]];
+    await openHeights(page, 'points.tif', floatTiff({ place: [points] }));
+    assert.match(await alertOf(page), /^“points.tif” has its place by control points, which are not used/);
+    const seen = Float32Array.from({ length: size }, (_, k) => k);
+    for (const [orientation, stored] of Object.entries(storedOrders))
+    {
+      const [columns, rows] = orientation >= 5 ? [ROWS, COLUMNS] : [COLUMNS, ROWS];
+      const data = Float32Array.from({ length: size }, (_, k) => seen[stored(k % columns, Math.floor(k / columns))]);
+      await openHeights(page, `order${orientation}.tif`, floatTiff({ data, columns, place: [[274, 3, [Number(orientation)]]] }));
+      assert.equal(await alertOf(page), '');
+      assert.deepEqual(await page.evaluate(() => [...globalThis.reliefPage.whole.heights]), [...seen], `orientation ${orientation}`);
+    }
+    await openHeights(page, 'map.tif', floatTiff({ data: seen, more: [[274, 3, [3]]] }));
+    assert.deepEqual(await page.evaluate(() => [...globalThis.reliefPage.whole.heights]), [...seen], 'on a map its place counts');
 
     // What is wrong with one field is not said of the next.
     await page.evaluate(() =>

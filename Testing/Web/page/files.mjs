@@ -19,13 +19,16 @@ export const heights8 = png(Uint8Array.from(hills(250)), 1, 8);
 export const stripes = png(Uint8Array.from({ length: 3 * COLUMNS * ROWS }, (_, k) => (k % 3 === 0 || k % 90 < 45 ? 255 : 30)), 3, 8);
 export const half = png(Uint8Array.from({ length: COLUMNS * ROWS }, (_, k) => (k % COLUMNS < COLUMNS / 2 ? 255 : 0)), 1, 8);
 
-// A TIFF of one strip of floats, little-endian, 2 units a sample; more of its tags as [tag, type, values].
-export function floatTiff({ data = Float32Array.from(hills(60), (h) => h / 2), samples = 1, northing = 5000, more = [] } = {})
+// A TIFF of one strip of floats, little-endian, 2 units a sample; more of its tags, and others of its place, as
+// [tag, type, values].
+export function floatTiff({ data = Float32Array.from(hills(60), (h) => h / 2), columns = COLUMNS, samples = 1, northing = 5000,
+  place = [[33550, 12, [2, 2, 0]], [33922, 12, [0, 0, 0, 1000, northing, 0]]], more = [] } = {})
 {
   const [short, long, double] = [3, 4, 12];
-  const tags = [[256, short, [COLUMNS]], [257, short, [ROWS]], [258, short, Array(samples).fill(32)], [259, short, [1]],
-    [262, short, [1]], [273, long, [0]], [277, short, [samples]], [278, short, [ROWS]], [279, long, [data.byteLength]],
-    [339, short, Array(samples).fill(3)], [33550, double, [2, 2, 0]], [33922, double, [0, 0, 0, 1000, northing, 0]], ...more]
+  const rows = data.length / samples / columns;
+  const tags = [[256, short, [columns]], [257, short, [rows]], [258, short, Array(samples).fill(32)], [259, short, [1]],
+    [262, short, [1]], [273, long, [0]], [277, short, [samples]], [278, short, [rows]], [279, long, [data.byteLength]],
+    [339, short, Array(samples).fill(3)], ...place, ...more]
     .sort((a, b) => a[0] - b[0]);
   const arrays = { 2: Uint8Array, [short]: Uint16Array, [long]: Uint32Array, [double]: Float64Array };
   const bytesOf = ([, type, content]) => Buffer.from(arrays[type].from(content).buffer);

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
 
-import { bowlObj, heights8, normalPicture, stripes } from './files.mjs';
+import { bowlObj, heights8, hills, normalPicture, png, stripes } from './files.mjs';
 import {
   COLUMNS, ROWS, alertOf, compareWithNative, decode, downloadBy, finish, nativePicture, near, open, openHeights, pictureOf,
   sceneOf, settled, values,
@@ -142,6 +142,32 @@ export const tests = {
     await page.waitForFunction(() => globalThis.reliefPage.field.name === 'DROPPED.OBJ');
     await openHeights(page, 'eight.png', heights8);
     assert.equal(await visible(page, 'Seen from'), false);
+    await finish(page);
+  },
+
+  // Heights in the colours of tiles, as reliefshade --encoding reads them.
+  async Encodings()
+  {
+    const page = await open();
+    const heights = Float32Array.from(hills(2000), (h) => h - 300.5);
+    const codes = { terrarium: (h) => (h + 32768) * 256, 'terrain-rgb': (h) => (h + 10000) * 10 };
+    for (const [encoding, codeOf] of Object.entries(codes))
+    {
+      const tile = png(Uint8Array.from({ length: 3 * heights.length },
+        (_, k) => Math.round(codeOf(heights[Math.floor(k / 3)])) >> (16 - 8 * (k % 3)) & 255), 3, 8);
+      await openHeights(page, `${encoding}.png`, tile);
+      await reread(page, () => page.getByLabel('Read as').selectOption(encoding));
+      const field = await fieldOf(page);
+      const worst = field.heights.reduce((most, h, k) => Math.max(most, Math.abs(h - heights[k])), 0);
+      assert.ok(worst <= 0.051, `${encoding}: ${worst}`);
+      const files = await saved(page, `${encoding}.png`, tile);
+      compareWithNative(files.field, files.scene, files.picture, ['--encoding', encoding]);
+    }
+    // Colours of 16 bits encode nothing.
+    const deep = png(Uint16Array.from({ length: 3 * heights.length }, (_, k) => k % 60000), 3, 16);
+    await openHeights(page, 'deep.png', deep);
+    await page.getByLabel('Read as').selectOption('terrarium');
+    await page.waitForFunction(() => document.querySelector('#alert:not([hidden]) span')?.textContent.includes('of 8 bits'));
     await finish(page);
   },
 
