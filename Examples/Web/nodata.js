@@ -12,6 +12,12 @@ const isMarker = (value, ofMap) =>
   [...usual, ...usualHigh].some((one) => Math.abs(value - one) <= 1e-6 * Math.abs(one)) ||
   (ofMap && value === 0);
 
+// The shortest number that is the same in single precision.
+function shortest(value) {
+  const digits = [6, 7, 8, 9].find((count) => Math.fround(value.toPrecision(count)) === value);
+  return digits ? Number(value.toPrecision(digits)) : value;
+}
+
 /**
  * What to tell of heights whose lowest or highest value is there more than once, far from all others and one
  * that files mark with, as reliefshade tells it; undefined of all others.
@@ -50,7 +56,7 @@ export function tellUndeclared(heights, width, ofMap) {
   });
   return (
     found &&
-    `has ${found.value} in ${found.times} of ${count} samples, far from the next value, ${found.next}: ` +
+    `has ${shortest(found.value)} in ${found.times} of ${count} samples, far from the next value, ${shortest(found.next)}: ` +
       "it is taken for a height and looks like no data. gdal_edit.py -a_nodata declares it."
   );
 }

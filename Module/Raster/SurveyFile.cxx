@@ -6,6 +6,7 @@
 #include "HeightInputs.h"
 #include "RasterFile.h"
 #include "SameFile.h"
+#include "ShortestText.h"
 #include "StagedFile.h"
 #include "TiledHeights.h"
 
@@ -123,13 +124,6 @@ std::string HashOf(const std::array<Plane, Planes>& planes, const hosts::HeightS
 
 /// Stands for an empty text, which GDAL does not keep.
 constexpr const char* Nothing = "none";
-}
-
-//------------------------------------------------------------------------------
-std::string TextOf(double number)
-{
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
 }
 
 //------------------------------------------------------------------------------

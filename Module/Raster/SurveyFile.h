@@ -18,9 +18,6 @@ namespace relief::raster
 /// float: the least and the greatest of its own samples, and what rays skip by.
 std::string SurveyName(const std::string& raster);
 
-/// Shortest texts that mean the same numbers.
-std::string TextOf(double number);
-
 /// Names, sizes and dates of files; empty if any of them is none. What is read from within an
 /// archive has its size and date.
 std::string StateOfFiles(const std::vector<std::string>& files);

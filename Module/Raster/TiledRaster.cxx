@@ -3,6 +3,7 @@
 
 #include "EsriGrid.h"
 #include "Gdal.h"
+#include "ShortestText.h"
 #include "SurveyFile.h"
 #include "TiledHeights.h"
 

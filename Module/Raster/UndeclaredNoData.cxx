@@ -2,6 +2,7 @@
 #include "UndeclaredNoData.h"
 
 #include "HeightRuns.h"
+#include "ShortestText.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <sstream>
 
 namespace relief::raster
@@ -102,30 +102,6 @@ bool IsUsual(double value)
   return std::abs(value) >= NoHeight ||
     std::any_of(usual.begin(), usual.end(),
       [value](double one) { return std::abs(value - one) <= 1e-6 * std::abs(one); });
-}
-
-//------------------------------------------------------------------------------
-/// As short as it can be typed to mean the same number: of single precision, 9 digits do.
-std::string Digits(double value, bool single)
-{
-  std::string text;
-  for (int precision = 6; precision <= 17; ++precision)
-  {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(precision);
-    out << value;
-    text = out.str();
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    double back = 0.0;
-    in >> back;
-    if (back == value || (single && static_cast<float>(back) == static_cast<float>(value)))
-    {
-      break;
-    }
-  }
-  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -231,11 +207,13 @@ std::string TellUndeclared(const ValueEnds& ends, const RasterHeader& header)
     {
       continue;
     }
-    const bool single = header.ScalarType == VTK_FLOAT;
+    const auto digits = [&header](double number) {
+      return header.ScalarType == VTK_FLOAT ? TextOf(static_cast<float>(number)) : TextOf(number);
+    };
     std::ostringstream text;
-    text << "its " << (below ? "lowest" : "highest") << " value, " << Digits(value, single)
-         << " in " << times << " of " << ends.Count << " samples, lies far from the next one, "
-         << Digits(next, single) << ", and is taken for a height; it looks like no data";
+    text << "its " << (below ? "lowest" : "highest") << " value, " << digits(value) << " in "
+         << times << " of " << ends.Count << " samples, lies far from the next one, "
+         << digits(next) << ", and is taken for a height; it looks like no data";
     return text.str();
   }
   return std::string();

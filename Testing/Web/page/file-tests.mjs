@@ -222,6 +222,8 @@ export const tests = {
     await openHeights(page, 'undeclared.tif', floatTiff({ data: holes(-9999) }));
     const told = `“undeclared.tif” has -9999 in 50 of ${size} samples, far from the next value, 100: it is taken for a height`;
     assert.ok((await alertOf(page)).startsWith(told), await alertOf(page));
+    await openHeights(page, 'single.tif', floatTiff({ data: holes(-9999.9) }));
+    assert.match(await alertOf(page), /^“single.tif” has -9999.9 in 50 of/);
     await openHeights(page, 'warped.tif', floatTiff({ data: holes(0) }));
     assert.match(await alertOf(page), /^“warped.tif” has 0 in 50 of/);
     await openHeights(page, 'sea.tif', floatTiff({ data: Float32Array.from({ length: size }, (_, k) => k % 60) }));
