@@ -44,8 +44,8 @@ export function tellUndeclared(heights, width, ofMap) {
   }
   const corners = [0, width - 1, heights.length - width, heights.length - 1].map((k) => heights[k]);
   const ends = [
-    { value: low, times: atLow, next: nextLow, rest: (markers[1] ? nextHigh : high) - nextLow, side: "lowest" },
-    { value: high, times: atHigh, next: nextHigh, rest: nextHigh - (markers[0] ? nextLow : low), side: "highest" },
+    { value: low, times: atLow, next: nextLow, rest: (markers[1] ? nextHigh : high) - nextLow },
+    { value: high, times: atHigh, next: nextHigh, rest: nextHigh - (markers[0] ? nextLow : low) },
   ];
   const found = ends.find(({ value, times, next, rest }, k) => {
     const gap = Math.abs(value - next);
@@ -57,6 +57,6 @@ export function tellUndeclared(heights, width, ofMap) {
   return (
     found &&
     `has ${shortest(found.value)} in ${found.times} of ${count} samples, far from the next value, ${shortest(found.next)}: ` +
-      "it is taken for a height and looks like no data. gdal_edit.py -a_nodata declares it."
+      "it is taken for a height and looks like no data. Declare it in the file, or leave it out by a mask."
   );
 }
