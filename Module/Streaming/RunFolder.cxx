@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -73,6 +74,29 @@ bool IsRunning(const std::string& process)
 #else
   return kill(static_cast<pid_t>(std::atol(process.c_str())), 0) == 0 || errno == EPERM;
 #endif
+}
+
+//------------------------------------------------------------------------------
+/// Removes what processes have left that were to write a file.
+void RemoveStaged(
+  const fs::path& target, const std::function<bool(const std::string& process)>& isLeft)
+{
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (const auto& entry : fs::directory_iterator(
+         target.has_parent_path() ? target.parent_path() : fs::path("."), ignored))
+  {
+    std::string process;
+    if (TargetOf(entry.path().filename().string(), process) == target.filename().string() &&
+      isLeft(process))
+    {
+      left.push_back(entry.path());
+    }
+  }
+  for (const fs::path& one : left)
+  {
+    fs::remove(one, ignored);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -220,6 +244,8 @@ void RunFolder::CheckKey(const std::string& key, bool write) const
   {
     throw Refusal(this->Folder, "no run is there that could be joined");
   }
+  // Who has the lock is the only one that writes it, whatever other process has that number now.
+  RemoveStaged(file, [](const std::string&) { return true; });
   try
   {
     io::StagedFile staged(file.string());
@@ -249,23 +275,8 @@ std::string RunFolder::UnfinishedOf(const std::string& name)
 //------------------------------------------------------------------------------
 void RunFolder::RemoveUnfinished(const std::string& file)
 {
-  const fs::path target(io::FollowLinks(file));
-  std::error_code ignored;
-  std::vector<fs::path> left;
-  for (const auto& entry : fs::directory_iterator(
-         target.has_parent_path() ? target.parent_path() : fs::path("."), ignored))
-  {
-    std::string process;
-    if (TargetOf(entry.path().filename().string(), process) == target.filename().string() &&
-      !IsRunning(process))
-    {
-      left.push_back(entry.path());
-    }
-  }
-  for (const fs::path& one : left)
-  {
-    fs::remove(one, ignored);
-  }
+  RemoveStaged(
+    io::FollowLinks(file), [](const std::string& process) { return !IsRunning(process); });
 }
 
 //------------------------------------------------------------------------------

@@ -236,7 +236,9 @@ void TestRemove()
   fs::create_directories(folder + "/.0-9_0-9.mine.tmp");
   WriteText(folder + "/notes.txt", "mine");
   WriteText(folder + "/.0-9_0-9.0123456789abcdef.tmp/Shading.tif", "half");
+  WriteText(folder + "/.run.txt.1-0.tmp.txt", "a r"); // by a process whose number another has now
   TileStore store(folder, "a run");
+  CHECK(!fs::exists(folder + "/.run.txt.1-0.tmp.txt"));
   CHECK(!fs::exists(folder + "/.0-9_0-9.0123456789abcdef.tmp"));
   CHECK(!store.Has(extent));
   store.Save(RandomPiece(extent, 1));
