@@ -2,14 +2,16 @@
 //
 // Heights that look as if one of their values meant no data, and nobody says so.
 
-const usual = [999, 999.9, 9999, 9999.9, 99999, 999999, 9999999, 32767, 32768].map((value) => -value);
-const usualHigh = [9999, 32767, 65535, 99999];
+// The numbers that files mark with, the same as reliefshade's.
+const usual = [
+  -999, -9999, -99999, -999999, -9999999, -999.9, -9999.9, -32768, -32767, 9999, 99999, 32767, 65535,
+];
 const noHeight = 1e9; // of any unit in use
 
 // 0 only where it is in a corner of a map: what gdalwarp leaves there.
 const isMarker = (value, ofMap) =>
   Math.abs(value) >= noHeight ||
-  [...usual, ...usualHigh].some((one) => Math.abs(value - one) <= 1e-6 * Math.abs(one)) ||
+  usual.some((one) => Math.abs(value - one) <= 1e-6 * Math.abs(one)) ||
   (ofMap && value === 0);
 
 // The shortest number that is the same in single precision.
