@@ -89,7 +89,7 @@ export async function readTiff(bytes, checkSize) {
   const unit = place.lengths ? await otherUnit(image) : undefined;
   const told = tellPlace(image, place);
   const picture = { data, width, height, channels, alpha, nodata: image.getGDALNoData(), unit, told, ...place };
-  const orientation = tags.hasTag("Orientation") ? tags.getValue("Orientation") : 1;
+  const orientation = tags.hasTag("Orientation") ? await tags.loadValue("Orientation") : 1;
   // On a map it is the place that counts.
   return place.lengths || !(orientation >= 2 && orientation <= 8) ? picture : upright(picture, orientation);
 }
